@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a segment ended, by name."""
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+
+class ResultCode(Enum):
+    """The five ways a segment can end."""
+
+    DONE = 'DONE'
+    BLOCKED = 'BLOCKED'
+    REJECTED = 'REJECTED'
+    STALE = 'STALE'
+    FAULT = 'FAULT'
+
+
+@dataclass(frozen=True)
+class SegmentResult:
+    """Result of the segment with identity `stamp_ns`.
+
+    Attributes:
+        stamp_ns: identity of the segment [ns].
+        code: how it ended.
+        reason: cause in words; empty for DONE.
+        values: named figures, for example the contact force [N].
+
+    """
+
+    stamp_ns: int
+    code: ResultCode
+    reason: str = ''
+    values: dict[str, float] = field(default_factory=dict)

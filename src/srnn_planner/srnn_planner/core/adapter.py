@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Learning from one executed segment."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core import plasticity_kernel
+from srnn_planner.core.dissonance import compare, learning_signal
+from srnn_planner.core.encoding import spike_probability
+from srnn_planner.core.errors import PairingError
+from srnn_planner.core.parameters import ModelParameters
+from srnn_planner.core.plasticity import Experience
+from srnn_planner.core.state_neurons import StateNeurons
+
+
+@dataclass(frozen=True, eq=False)
+class Lesson:
+    """What one segment taught.
+
+    Attributes:
+        updated: whether the weights have changed.
+        squared_distance: (T,) global dissonance |kappa_m - kappa_e|^2 [units^2].
+        rates: (T, K) learning signal that was used.
+
+    """
+
+    updated: bool
+    squared_distance: NDArray[np.float64]
+    rates: NDArray[np.float64]
+
+    @property
+    def peak(self) -> float:
+        """Largest learning rate of the segment."""
+        return float(self.rates.max())
+
+
+class Learner:
+    """Holds the weights and adapts them to the world, segment by segment."""
+
+    def __init__(self, model: ModelParameters, rng: np.random.Generator) -> None:
+        """Start from the prior weights."""
+        self.model = model
+        self.neurons = StateNeurons(model.network)
+        self.weights: NDArray[np.float32] = self.neurons.prior_weights
+        self.updates = 0
+        self._signal = learning_signal(model.learning)
+        self._rng = rng
+
+    def warm_up(self) -> None:
+        """Compile every kernel without touching weights or random numbers."""
+        still = np.zeros((4, self.model.network.neurons))
+        uniforms = np.zeros((1, 2, *still.shape), dtype=np.float32)
+        plasticity_kernel.replay(
+            self.weights, Experience(still, still, still), uniforms, self.model.network.tau
+        )
+
+    def use_weights(self, weights: NDArray[np.float32]) -> None:
+        """Go on from other weights, all or nothing.
+
+        Raises:
+            WeightsError: the weights do not fit; the old ones stay.
+
+        """
+        self.weights = self.neurons.check_weights(weights)
+
+    def learn(self, mental: NDArray[np.float64], executed: NDArray[np.float64]) -> Lesson:
+        """Learn from a plan and its execution.
+
+        Args:
+            mental: (T, d) planned positions [m].
+            executed: (T, d) measured positions at the same times [m], held after a contact.
+
+        Raises:
+            PairingError: the two do not have the same shape or are not finite.
+
+        """
+        if mental.shape != executed.shape:
+            raise PairingError(f'plan {mental.shape} and execution {executed.shape} differ')
+        if not (np.isfinite(mental).all() and np.isfinite(executed).all()):
+            raise PairingError('plan and execution must be finite')
+        workspace = self.model.workspace
+        mismatch = compare(
+            self.neurons, workspace.to_units(mental), workspace.to_units(executed)
+        )
+        rates = self._signal.rates(mismatch)
+        updated = bool(rates.any())
+        if updated:
+            experience = Experience(
+                executed=spike_probability(mismatch.executed, self.model.learning),
+                mental=spike_probability(mismatch.mental, self.model.learning),
+                rates=rates,
+            )
+            self._replay(experience)
+        return Lesson(updated, mismatch.squared_distance, rates)
+
+    def _replay(self, experience: Experience) -> None:
+        size = (self.model.learning.replays, 2, *experience.rates.shape)
+        uniforms = self._rng.random(size, dtype=np.float32)
+        self.weights = plasticity_kernel.replay(
+            self.weights, experience, uniforms, self.model.network.tau
+        )
+        self.updates += 1

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A smooth curve through the points of an averaged path."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+DEGREE = 5
+STIFFNESS = 0.0003
+"""Weight of the mean squared second derivative against the mean squared residual."""
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A polynomial p(s), s from 0 to 1, whose speed |p'(s)| is close to its length.
+
+    Attributes:
+        coefficients: (DEGREE + 1, d), row n belongs to s^n.
+        length: length of the curve, in the unit of its points.
+
+    """
+
+    coefficients: NDArray[np.float64]
+    length: float
+
+    def at(self, s: NDArray[np.float64], derivative: int = 0) -> NDArray[np.float64]:
+        """Return the curve or a derivative by s at parameters s (n,) as (n, d)."""
+        powers = np.arange(DEGREE + 1)
+        factor = np.ones(DEGREE + 1)
+        for order in range(derivative):
+            factor = factor * np.maximum(powers - order, 0)
+        exponent = np.maximum(powers - derivative, 0)
+        return np.asarray((factor * s[:, None] ** exponent) @ self.coefficients)
+
+
+def fit(points: NDArray[np.float64]) -> Curve:
+    """Fit a curve to the points (T, d) of a path; it starts at points[0].
+
+    A polynomial of degree 5 with little bending: the average of sampled movements is
+    smooth but for noise from step to step, which must not reach the arm's
+    accelerations. First fitted over the steps, then once more at even distances along
+    itself, so that constant speed along the curve is constant progress of s.
+    """
+    s = np.linspace(0.0, 1.0, len(points))
+    curve, _ = _even(_polynomial(points), s)
+    points, length = _even(_polynomial(curve), s)
+    return Curve(_polynomial(points), length)
+
+
+def _polynomial(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    offsets = points[1:] - points[0]
+    return np.vstack([points[:1], _projection(len(points)) @ offsets])
+
+
+def _even(
+    coefficients: NDArray[np.float64], s: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], float]:
+    """Return points (T, d) at even distances along a polynomial, and its length."""
+    dense = np.linspace(0.0, 1.0, 4 * len(s))
+    points = dense[:, None] ** np.arange(DEGREE + 1) @ coefficients
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    distance = np.concatenate([[0.0], np.cumsum(steps)])
+    length = float(distance[-1])
+    columns = [np.interp(s * length, distance, column) for column in points.T]
+    return np.stack(columns, axis=1), length
+
+
+@lru_cache(maxsize=8)
+def _projection(count: int) -> NDArray[np.float64]:
+    """Return (DEGREE, count - 1): offsets from the first point to coefficients."""
+    s = np.linspace(0.0, 1.0, count)[1:, None]
+    powers = np.arange(1, DEGREE + 1)
+    vandermonde = s**powers
+    # Integral over [0, 1] of the product of two second derivatives of s^n and s^m.
+    bend = powers * (powers - 1)
+    exponent = powers[:, None] + powers[None, :] - 3
+    energy = np.where(exponent > 0, np.outer(bend, bend) / np.maximum(exponent, 1), 0.0)
+    normal = vandermonde.T @ vandermonde / count + STIFFNESS * energy
+    return np.asarray(np.linalg.solve(normal, vandermonde.T / count))

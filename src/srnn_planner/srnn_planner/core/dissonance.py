@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cognitive dissonance: how far the executed path is from the imagined one."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core.parameters import LearningParameters
+from srnn_planner.core.state_neurons import StateNeurons
+
+
+@dataclass(frozen=True, eq=False)
+class Mismatch:
+    """Plan and execution of one segment, side by side.
+
+    Attributes:
+        squared_distance: (T,) |kappa_m - kappa_e|^2 [units^2], eq. 5.
+        mental: (T, K) responsibilities of the plan.
+        executed: (T, K) responsibilities of the executed path.
+
+    """
+
+    squared_distance: NDArray[np.float64]
+    mental: NDArray[np.float64]
+    executed: NDArray[np.float64]
+
+
+def compare(
+    neurons: StateNeurons, mental: NDArray[np.float64], executed: NDArray[np.float64]
+) -> Mismatch:
+    """Compare two paths (T, d) in units step by step."""
+    return Mismatch(
+        squared_distance=np.asarray(((mental - executed) ** 2).sum(axis=1)),
+        mental=neurons.responsibilities(mental),
+        executed=neurons.responsibilities(executed),
+    )
+
+
+class AbstractSignal(ABC):
+    """Turns a mismatch into the learning rates of one segment."""
+
+    def __init__(self, parameters: LearningParameters) -> None:
+        """Keep thresholds, limit and scales."""
+        self._p = parameters
+
+    @abstractmethod
+    def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
+        """Return alpha (T, K), zero where nothing is to be learned."""
+
+    def _global(self, mismatch: Mismatch) -> NDArray[np.float64]:
+        return _above(mismatch.squared_distance, self._p.global_threshold, self._p.limit)
+
+
+class NoSignal(AbstractSignal):
+    """Never learns: the model without adaptation."""
+
+    def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
+        """Return zeros (T, K)."""
+        return np.zeros_like(mismatch.mental)
+
+
+class GlobalSignal(AbstractSignal):
+    """alpha_t = |kappa_m - kappa_e|^2, the same for all neurons (eq. 5)."""
+
+    def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
+        """Return alpha (T, K) with equal columns."""
+        return _every_neuron(self._global(mismatch), mismatch)
+
+
+class LocalSignal(AbstractSignal):
+    """alpha_ti = c (omega_m - omega_e)^2, one for each neuron (eq. 6)."""
+
+    def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
+        """Return alpha (T, K)."""
+        signal = self._p.local_scale * (mismatch.mental - mismatch.executed) ** 2
+        return _above(signal, self._p.local_threshold, self._p.limit)
+
+
+class ConstantSignal(AbstractSignal):
+    """A constant rate wherever the global signal triggers."""
+
+    def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
+        """Return alpha (T, K): the rate or zero."""
+        return _every_neuron(self._p.rate * (self._global(mismatch) > 0.0), mismatch)
+
+
+class UntriggeredSignal(AbstractSignal):
+    """A constant rate in every step of every segment."""
+
+    def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
+        """Return alpha (T, K), the rate everywhere."""
+        return np.full_like(mismatch.mental, self._p.rate)
+
+
+SIGNALS: dict[str, type[AbstractSignal]] = {
+    'none': NoSignal,
+    'global': GlobalSignal,
+    'local': LocalSignal,
+    'constant': ConstantSignal,
+    'untriggered': UntriggeredSignal,
+}
+
+
+def learning_signal(parameters: LearningParameters) -> AbstractSignal:
+    """Return the learning signal that the parameters name."""
+    return SIGNALS[parameters.signal](parameters)
+
+
+def _above(
+    signal: NDArray[np.float64], threshold: float, limit: float
+) -> NDArray[np.float64]:
+    return np.asarray(np.where(signal > threshold, np.minimum(signal, limit), 0.0))
+
+
+def _every_neuron(alpha: NDArray[np.float64], mismatch: Mismatch) -> NDArray[np.float64]:
+    return np.broadcast_to(alpha[:, None], mismatch.mental.shape).copy()

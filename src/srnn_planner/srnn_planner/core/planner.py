@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Planning one segment: sample, decode, reject, average, join, give it time."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core.context import ContextPopulation, way_point_population
+from srnn_planner.core.decoding import decode, window
+from srnn_planner.core.encoding import draw_history, spike_probability
+from srnn_planner.core.parameters import ModelParameters, PlanningParameters
+from srnn_planner.core.retreat import at_rest, back_off
+from srnn_planner.core.sampling import SampleInput
+from srnn_planner.core.sampling_kernel import sample_activity
+from srnn_planner.core.selection import select
+from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.trajectory import Motion, Trajectory, time_path
+
+
+@dataclass(frozen=True, eq=False)
+class PlanRequest:
+    """What the next segment starts from and where it shall go.
+
+    Attributes:
+        measured: (d,) where the arm is, or will be when the segment starts [m].
+        joining: state of the reference that the segment continues.
+        target: (d,) active way point [units].
+        velocity: execution speed [m/s].
+        retreat_to: (d,) free point [m] to back off to first, from rest; None to go on.
+
+    """
+
+    measured: NDArray[np.float64]
+    joining: Motion
+    target: NDArray[np.float64]
+    velocity: float
+    retreat_to: NDArray[np.float64] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """The outcome of planning one segment.
+
+    Attributes:
+        trajectory: the segment, or None if no valid movement was found.
+        samples: (S, T, d) decoded samples [units].
+        kept: (S,) which of them were averaged.
+
+    """
+
+    trajectory: Trajectory | None
+    samples: NDArray[np.float64]
+    kept: NDArray[np.bool_]
+
+
+class SegmentPlanner:
+    """Samples segments from the network; holds its weights between segments."""
+
+    def __init__(
+        self, model: ModelParameters, planning: PlanningParameters, rng: np.random.Generator
+    ) -> None:
+        """Build neurons, window and prior weights; compile and warm the kernel."""
+        self.model = model
+        self.planning = planning
+        self.neurons = StateNeurons(model.network)
+        self.weights: NDArray[np.float32] = self.neurons.prior_weights
+        self._rng = rng
+        self._window = window(
+            planning.sampling.steps, model.network.tau, planning.sampling.decode_sigma
+        )
+        self._contexts: dict[bytes, ContextPopulation] = {}
+
+    def warm_up(self) -> None:
+        """Compile every kernel without touching the stream of random numbers."""
+        rng, self._rng = self._rng, np.random.default_rng(0)
+        rest = Motion(np.zeros(self._dimensions), np.zeros(self._dimensions))
+        self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
+        self._contexts.clear()
+        self._rng = rng
+
+    def use_weights(self, weights: NDArray[np.float32]) -> None:
+        """Take new weights for the next segment, all or nothing.
+
+        Raises:
+            WeightsError: the weights do not fit; the old ones stay.
+
+        """
+        self.weights = self.neurons.check_weights(weights)
+
+    def plan(self, request: PlanRequest) -> Plan:
+        """Plan one segment."""
+        backing_off = request.retreat_to is not None
+        origin = request.retreat_to if request.retreat_to is not None else request.measured
+        joining = at_rest(origin) if backing_off else request.joining
+        paths, valid = self.sample(self.model.workspace.to_units(origin), request.target)
+        kept = np.zeros(len(paths), dtype=bool)
+        if valid.mean() < self.planning.sampling.valid_share:
+            return Plan(None, paths, kept)
+        kept[valid] = select(paths[valid], self.planning.selection)
+        average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
+        limits = self.planning.trajectory
+        trajectory = time_path(average, joining, request.velocity, limits)
+        if trajectory is not None and backing_off:
+            trajectory = back_off(request.joining.position, trajectory, limits.acceleration)
+        if trajectory is None or not self._inside(trajectory):
+            return Plan(None, paths, kept)
+        return Plan(trajectory, paths, kept)
+
+    def sample(
+        self, position: NDArray[np.float64], target: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        """Sample movements from `position` (d,) towards `target` (d,), both in units.
+
+        Returns:
+            Decoded paths (S, T, d) [units] and which of them are valid (S,).
+
+        """
+        network, sampling = self.model.network, self.planning.sampling
+        context = self._context(target)
+        start = self.neurons.responsibilities(position[None])[0]
+        size = (sampling.samples, sampling.steps)
+        given = SampleInput(
+            weights=self.weights,
+            context=context,
+            history=draw_history(
+                spike_probability(start, self.model.learning),
+                sampling.samples, network.tau, self._rng,
+            ),
+            uniforms=self._rng.random((*size, network.neurons), dtype=np.float32),
+            context_uniforms=self._rng.random((*size, len(context.weights)), dtype=np.float32),
+        )
+        _, activity = sample_activity(network, self.neurons.positions, given)
+        return decode(activity, self._window)
+
+    @property
+    def _dimensions(self) -> int:
+        return self.model.network.dimensions
+
+    def _context(self, target: NDArray[np.float64]) -> ContextPopulation:
+        key = target.tobytes()
+        if key not in self._contexts:
+            self._contexts[key] = way_point_population(
+                target, self.neurons.positions, self.planning.sampling.steps,
+                self.planning.context, self._rng,
+            )
+        return self._contexts[key]
+
+    def _inside(self, trajectory: Trajectory) -> bool:
+        extent = self.model.workspace.half_extent
+        return bool(np.abs(trajectory.positions).max() <= extent)

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sampling movements by running the network: the plain NumPy reference.
+
+`sampling_kernel` does the same fast; both take the same random numbers and must
+return the same spikes.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core.context import ContextPopulation
+from srnn_planner.core.parameters import NetworkParameters
+
+
+@dataclass(frozen=True, eq=False)
+class SampleInput:
+    """Everything that determines a set of samples.
+
+    Attributes:
+        weights: (K, K) recurrent weights w[pre, post].
+        context: the active context population of N neurons over T steps.
+        history: (S, K) step of each neuron's last spike before 0, see `draw_history`.
+        uniforms: (S, T, K) numbers from [0, 1) that decide the spikes.
+        context_uniforms: (S, T, N) the same for the context neurons.
+
+    """
+
+    weights: NDArray[np.float32]
+    context: ContextPopulation
+    history: NDArray[np.int64]
+    uniforms: NDArray[np.float32]
+    context_uniforms: NDArray[np.float32]
+
+
+def sample_spikes(network: NetworkParameters, given: SampleInput) -> NDArray[np.bool_]:
+    """Run the network S times for T steps and return its spikes (S, T, K).
+
+    In each step the membrane potential u = w^T v~ + theta^T y~ (eq. 1) gives the
+    spike probability rho = min(p_max, exp(beta u - c)), which the refractory state
+    then silences (absolute) or scales by (t - t_spike) / tau (linear).
+    """
+    tau = network.tau
+    samples, steps, neurons = given.uniforms.shape
+    last = given.history.copy()
+    context_last = np.full(given.context_uniforms[:, 0].shape, -tau - 1)
+    weights = given.weights.astype(np.float64)
+    spikes = np.zeros((samples, steps, neurons), dtype=bool)
+    for t in range(steps):
+        potential = (t - last <= tau).astype(np.float64)
+        context_potential = (t - context_last <= tau).astype(np.float64)
+        u = potential @ weights + context_potential @ given.context.weights
+        spikes[:, t] = given.uniforms[:, t] < activation(network, u, t - last)
+        last[spikes[:, t]] = t
+        fired = given.context_uniforms[:, t] < given.context.spike_probability[t]
+        context_last[fired] = t
+    return spikes
+
+
+def activation(
+    network: NetworkParameters, u: NDArray[np.float64], since: NDArray[np.int64]
+) -> NDArray[np.float64]:
+    """Return the spike probability rho for membrane potential u.
+
+    Args:
+        network: slope beta, threshold c, limit p_max, tau and form of refractoriness.
+        u: membrane potentials, any shape.
+        since: steps since the neuron's last spike, same shape.
+
+    """
+    exponent = np.minimum(network.slope * u - network.threshold, 0.0)
+    rho = np.minimum(network.spike_probability_max, np.exp(exponent))
+    recovering = since <= network.tau
+    if network.refractory == 'absolute':
+        return np.asarray(np.where(recovering, 0.0, rho))
+    return np.asarray(np.where(recovering, rho * since / network.tau, rho))

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sample rejection: only movements of one kind may be averaged."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core.parameters import SelectionParameters
+
+
+def select(paths: NDArray[np.float64], parameters: SelectionParameters) -> NDArray[np.bool_]:
+    """Return the mask (S,) of the samples (S, T, d) to average, by the rule of that name."""
+    displacement = paths[:, -1] - paths[:, 0]
+    if parameters.rule == 'three_sigma':
+        return three_sigma(displacement, parameters.majority)
+    return mode_seeking(displacement, parameters.mode_share)
+
+
+def three_sigma(displacement: NDArray[np.float64], majority: float) -> NDArray[np.bool_]:
+    """Keep the samples whose direction is close to that of a reference sample.
+
+    The reference is the sample with the least mean angle to the closest `majority`
+    of the population; kept are those within mean + 3 standard deviations of these
+    angles (Tanneberg et al. 2019, "Online Motion Planning Framework").
+
+    Args:
+        displacement: (S, d) last minus first point of each sample.
+        majority: share of the population, 0.9 in the paper.
+
+    """
+    angle = pairwise_angles(displacement)
+    closest = _closest(angle, majority)
+    reference = int(np.argmin(closest.mean(axis=1)))
+    near = closest[reference]
+    return np.asarray(angle[reference] <= near.mean() + 3.0 * near.std())
+
+
+def mode_seeking(displacement: NDArray[np.float64], share: float) -> NDArray[np.bool_]:
+    """Keep the densest mode: a reference sample and its nearest `share` of the samples.
+
+    The reference has the least mean distance of displacement vectors to its nearest
+    `share`. Two ways round an obstacle are two modes, whose mean would go nowhere.
+
+    Args:
+        displacement: (S, d) last minus first point of each sample.
+        share: share of the population that forms the mode.
+
+    """
+    distance = np.linalg.norm(displacement[:, None] - displacement[None], axis=2)
+    reference = int(np.argmin(_closest(distance, share).mean(axis=1)))
+    kept = np.zeros(len(displacement), dtype=bool)
+    kept[np.argsort(distance[reference], kind='stable')[: _count(len(displacement), share)]] = True
+    return kept
+
+
+def pairwise_angles(displacement: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the angles (S, S) between displacements (S, d) [rad]."""
+    length = np.linalg.norm(displacement, axis=1, keepdims=True)
+    unit = displacement / np.maximum(length, 1e-12)
+    cosine = np.clip(unit @ unit.T, -1.0, 1.0)
+    np.fill_diagonal(cosine, 1.0)
+    return np.asarray(np.arccos(cosine))
+
+
+def _closest(distance: NDArray[np.float64], share: float) -> NDArray[np.float64]:
+    return np.asarray(np.sort(distance, axis=1)[:, : _count(len(distance), share)])
+
+
+def _count(samples: int, share: float) -> int:
+    return max(1, min(samples, round(share * samples)))
