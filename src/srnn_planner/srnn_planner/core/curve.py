@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 DEGREE = 5
-STIFFNESS = 0.0003
+STIFFNESS = 0.00003
 """Weight of the mean squared second derivative against the mean squared residual."""
 
 

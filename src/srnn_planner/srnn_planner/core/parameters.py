@@ -39,7 +39,7 @@ class NetworkParameters(Parameters):
         doc='Taken from every prior weight, so that distant neurons inhibit each other.',
     )
     slope: float = parameter(
-        1.848, above=0.0, maximum=100.0, doc='beta of the activation exp(beta u - c).'
+        1.945, above=0.0, maximum=100.0, doc='beta of the activation exp(beta u - c).'
     )
     threshold: float = parameter(
         3.644, minimum=-50.0, maximum=50.0, doc='c of the activation exp(beta u - c).'
@@ -100,9 +100,13 @@ class SamplingParameters(Parameters):
         3.0, unit='steps', above=0.0, maximum=50.0,
         doc='Width of the Gaussian window that turns spikes into continuous activity.',
     )
+    step_max: float = parameter(
+        0.1, unit='units', above=0.0, maximum=2.0,
+        doc='A sample that moves farther in one step has jumped and is not valid.',
+    )
     valid_share: float = parameter(
-        0.25, above=0.0, maximum=1.0,
-        doc='Share of the samples that must be decodable for a plan to be valid.',
+        0.5, above=0.0, maximum=1.0,
+        doc='Share of the samples that must be valid for a plan to be valid.',
     )
 
 
@@ -193,7 +197,7 @@ class LearningParameters(Parameters):
         0.3, above=0.0, maximum=1.0, doc='Upper limit of any learning signal.'
     )
     local_scale: float = parameter(
-        3.0, above=0.0, maximum=1000.0, doc='c of the local signals.'
+        8.0, above=0.0, maximum=1000.0, doc='c of the local signals.'
     )
     replays: int = parameter(
         20, minimum=1, maximum=1000, doc='Pairs of spike encodings learned per experience.'

@@ -131,7 +131,9 @@ class SegmentPlanner:
             context_uniforms=self._rng.random((*size, len(context.weights)), dtype=np.float32),
         )
         _, activity = sample_activity(network, self.neurons.positions, given)
-        return decode(activity, self._window)
+        paths, valid = decode(activity, self._window)
+        steps = np.linalg.norm(np.diff(paths, axis=1), axis=2).max(axis=1)
+        return paths, valid & (steps <= sampling.step_max)
 
     @property
     def _dimensions(self) -> int:

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sampler: kernel against reference, statistics against stated probabilities."""
+
+from dataclasses import replace
+
+from hypothesis import given, settings, strategies as st
+import numpy as np
+import pytest
+from scipy import stats
+from srnn_planner.core.context import ContextPopulation, way_point_population
+from srnn_planner.core.decoding import spike_activity
+from srnn_planner.core.encoding import NO_SPIKE, draw_history, spike_probability
+from srnn_planner.core.parameters import (
+    ContextParameters,
+    LearningParameters,
+    NetworkParameters,
+)
+from srnn_planner.core.sampling import SampleInput, activation, sample_spikes
+from srnn_planner.core.sampling_kernel import sample_activity
+from srnn_planner.core.state_neurons import StateNeurons
+
+FALSE_ALARM = 1e-6
+CONTEXT = ContextParameters(spike_probability_start=0.05, spike_probability_end=0.4)
+
+
+def sample_input(network, rng, samples=6, steps=30):
+    neurons = StateNeurons(network)
+    target = rng.uniform(-0.8, 0.8, network.dimensions)
+    context = way_point_population(target, neurons.positions, steps, CONTEXT, rng)
+    start = neurons.responsibilities(rng.uniform(-0.8, 0.8, (1, network.dimensions)))[0]
+    probability = spike_probability(start, LearningParameters())
+    return neurons, SampleInput(
+        weights=np.clip(
+            neurons.prior_weights + rng.normal(0, 0.1, neurons.prior_weights.shape), -1, 1
+        ).astype(np.float32),
+        context=context,
+        history=draw_history(probability, samples, network.tau, rng),
+        uniforms=rng.random((samples, steps, network.neurons), dtype=np.float32),
+        context_uniforms=rng.random((samples, steps, len(context.weights)), dtype=np.float32),
+    )
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    refractory=st.sampled_from(['absolute', 'linear']),
+    tau=st.integers(1, 12),
+    shape=st.sampled_from([(1, 25), (2, 9), (2, 15), (3, 5)]),
+)
+def test_kernel_gives_the_spikes_of_the_reference(seed, refractory, tau, shape):
+    network = NetworkParameters(
+        refractory=refractory, tau=tau, dimensions=shape[0], neurons_per_dimension=shape[1]
+    )
+    neurons, given_ = sample_input(network, np.random.default_rng(seed))
+    expected = sample_spikes(network, given_)
+    spikes, activity = sample_activity(network, neurons.positions, given_)
+    assert np.array_equal(spikes.astype(bool), expected)
+    reference = spike_activity(expected, given_.history, neurons.positions, tau)
+    assert activity == pytest.approx(reference, abs=1e-12)
+
+
+def isolated(network, samples, steps, rng):
+    """Return an input without recurrent or context input, so that u = 0 throughout."""
+    count = network.neurons
+    return SampleInput(
+        weights=np.zeros((count, count), dtype=np.float32),
+        context=ContextPopulation(np.zeros((1, count)), np.zeros(steps)),
+        history=np.full((samples, count), NO_SPIKE),
+        uniforms=rng.random((samples, steps, count), dtype=np.float32),
+        context_uniforms=rng.random((samples, steps, 1), dtype=np.float32),
+    )
+
+
+def test_spike_frequency_is_rho_within_a_binomial_bound(rng):
+    """One step, u = 0: rho = exp(-c); two-sided bound of false-alarm rate 1e-6."""
+    network = NetworkParameters(threshold=2.5, spike_probability_max=0.5)
+    spikes = sample_spikes(network, isolated(network, 400, 1, rng))
+    low, high = stats.binom.interval(1 - FALSE_ALARM, spikes.size, np.exp(-2.5))
+    assert low <= spikes.sum() <= high
+
+
+def test_spike_frequency_never_exceeds_its_limit(rng):
+    network = NetworkParameters(threshold=-5.0, spike_probability_max=0.15)
+    spikes = sample_spikes(network, isolated(network, 400, 1, rng))
+    low, high = stats.binom.interval(1 - FALSE_ALARM, spikes.size, 0.15)
+    assert low <= spikes.sum() <= high
+
+
+def test_absolute_refractoriness_silences_for_tau_steps(rng):
+    network = NetworkParameters(threshold=-5.0, spike_probability_max=1.0, tau=7)
+    spikes = sample_spikes(network, isolated(network, 3, 40, rng))
+    for train in spikes.transpose(0, 2, 1).reshape(-1, 40):
+        assert (np.diff(np.flatnonzero(train)) == 8).all()
+
+
+def test_linear_refractoriness_recovers_in_proportion_to_time():
+    network = NetworkParameters(refractory='linear', tau=10, threshold=1.0)
+    since = np.arange(1, 15)
+    rho = activation(network, np.zeros(14), since)
+    free = min(network.spike_probability_max, np.exp(-1.0))
+    assert rho == pytest.approx(np.minimum(since / 10, 1.0) * free)
+
+
+def test_activation_is_exponential_below_its_limit():
+    network = replace(NetworkParameters(), slope=2.0, threshold=5.0)
+    u = np.linspace(-3.0, 1.5, 20)
+    rho = activation(network, u, np.full(20, 99))
+    assert rho == pytest.approx(np.exp(2.0 * u - 5.0))
+
+
+def test_context_weights_fall_with_the_distance_to_the_way_point(rng):
+    neurons = StateNeurons(NetworkParameters())
+    target = np.array([0.4, 0.1])
+    still = replace(ContextParameters(), spread=0.0)
+    weights = way_point_population(target, neurons.positions, 30, still, rng).weights.sum(axis=0)
+    distance = np.linalg.norm(neurons.positions - target, axis=1)
+    assert (np.diff(weights[np.argsort(distance)]) <= 1e-12).all()
+    closed = still.amplitude * np.exp(-((distance / still.scale) ** still.exponent))
+    assert weights == pytest.approx(closed)
+
+
+def test_context_fires_with_its_time_dependent_probability(rng):
+    population = way_point_population(
+        np.zeros(2), StateNeurons(NetworkParameters()).positions, 30, CONTEXT, rng
+    )
+    assert population.spike_probability == pytest.approx(np.linspace(0.05, 0.4, 30))

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sample rejection: one movement is averaged, never two ways round an obstacle."""
+
+from hypothesis import given, strategies as st
+import numpy as np
+import pytest
+from srnn_config import ParameterError
+from srnn_planner.core.parameters import SelectionParameters
+from srnn_planner.core.selection import mode_seeking, pairwise_angles, select, three_sigma
+
+
+def fan(angles, length=1.0):
+    angles = np.asarray(angles)
+    return length * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def test_three_sigma_rejects_the_outlier_and_keeps_the_rest(rng):
+    angles = np.concatenate([rng.normal(0.0, 0.1, 38), [3.0, -2.8]])
+    kept = three_sigma(fan(angles), 0.9)
+    assert kept[:38].sum() >= 35
+    assert not kept[38:].any()
+
+
+def test_mode_seeking_takes_one_of_two_ways_round(rng):
+    angles = np.concatenate([rng.normal(0.8, 0.1, 22), rng.normal(-0.8, 0.1, 18)])
+    kept = mode_seeking(fan(angles), 0.35)
+    assert kept.sum() == 14
+    assert kept[:22].all() != kept[22:].any() or kept[:22].sum() in (0, 14)
+
+
+def test_three_sigma_averages_over_both_ways_where_mode_seeking_does_not(rng):
+    """The reason for the second rule: a broad two-sided fan keeps both sides."""
+    angles = np.concatenate([rng.normal(0.8, 0.5, 20), rng.normal(-0.8, 0.5, 20)])
+    displacement = fan(angles)
+    both = angles[three_sigma(displacement, 0.9)]
+    assert (both > 0.3).any()
+    assert (both < -0.3).any()
+    assert np.ptp(angles[mode_seeking(displacement, 0.2)]) < 0.6
+
+
+@given(seed=st.integers(0, 2**32 - 1))
+def test_selection_does_not_depend_on_the_order_of_samples(seed):
+    rng = np.random.default_rng(seed)
+    displacement = rng.normal(size=(30, 2))
+    order = rng.permutation(30)
+    for rule in (lambda d: three_sigma(d, 0.9), lambda d: mode_seeking(d, 0.3)):
+        assert np.array_equal(rule(displacement)[order], rule(displacement[order]))
+
+
+@given(seed=st.integers(0, 2**32 - 1), dimensions=st.integers(1, 4))
+def test_angles_are_symmetric_and_zero_to_themselves(seed, dimensions):
+    angle = pairwise_angles(np.random.default_rng(seed).normal(size=(12, dimensions)))
+    assert np.allclose(angle, angle.T)
+    assert (np.diag(angle) == 0.0).all()
+    assert angle.max() <= np.pi
+
+
+def test_at_least_one_sample_is_always_kept():
+    paths = np.zeros((1, 5, 2))
+    for rule in ('three_sigma', 'mode_seeking'):
+        assert select(paths, SelectionParameters(rule=rule)).all()
+
+
+def test_unknown_rule_is_refused_naming_the_rules():
+    with pytest.raises(ParameterError, match='three_sigma, mode_seeking'):
+        SelectionParameters(rule='median')
