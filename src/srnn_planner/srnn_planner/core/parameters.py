@@ -145,8 +145,12 @@ class TrajectoryParameters(Parameters):
         doc='Acceleration used to start, to turn and to change speed.',
     )
     acceleration_max: float = parameter(
-        3.0, unit='m/s^2', above=0.0, maximum=10.0,
+        2.8, unit='m/s^2', above=0.0, maximum=10.0,
         doc='Segments that would accelerate more are slowed down.',
+    )
+    edge_margin: float = parameter(
+        0.006, unit='m', minimum=0.0, maximum=0.1,
+        doc='Distance that segments keep from the edge of the workspace.',
     )
     duration_min: float = parameter(
         0.35, unit='s', above=0.0, maximum=10.0, doc='Shortest execution time of a segment.'

@@ -149,5 +149,5 @@ class SegmentPlanner:
         return self._contexts[key]
 
     def _inside(self, trajectory: Trajectory) -> bool:
-        extent = self.model.workspace.half_extent
+        extent = self.model.workspace.half_extent - self.planning.trajectory.edge_margin
         return bool(np.abs(trajectory.positions).max() <= extent)

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every topic of the graph, once: name, type, quality of service, ends and meaning."""
+
+from dataclasses import dataclass
+
+from srnn_msgs_py.errors import UnknownTopicError
+from srnn_msgs_py.qos import EVENT, LATCHED, MOTION, SENSOR, Qos
+
+NODES = ('planner', 'adapter', 'tracker', 'sim_bridge')
+"""The nodes of the graph; every other name in the table is a person or a tool."""
+
+
+@dataclass(frozen=True)
+class Topic:
+    """One row of the table.
+
+    Attributes:
+        name: relative name; a leading slash makes it absolute.
+        type_name: ROS type, for example ``std_msgs/msg/Float64MultiArray``.
+        qos: how it travels.
+        publishers: who writes it.
+        subscribers: who reads it.
+        meaning: one line for the user.
+
+    """
+
+    name: str
+    type_name: str
+    qos: Qos
+    publishers: tuple[str, ...]
+    subscribers: tuple[str, ...]
+    meaning: str
+
+
+TOPICS = (
+    Topic(
+        'waypoints', 'geometry_msgs/msg/PoseArray', LATCHED, ('user',), ('planner',),
+        'tour of way points, replaces the one of the configuration',
+    ),
+    Topic(
+        'segment', 'trajectory_msgs/msg/JointTrajectory', MOTION,
+        ('planner',), ('tracker', 'adapter'),
+        'next planned motion of the tip; its stamp is its identity',
+    ),
+    Topic(
+        'executed', 'trajectory_msgs/msg/JointTrajectory', EVENT,
+        ('tracker',), ('planner', 'adapter'),
+        'measured path of the tip, with the stamp of its segment',
+    ),
+    Topic(
+        'segment_result', 'diagnostic_msgs/msg/DiagnosticStatus', EVENT,
+        ('tracker',), ('planner', 'sim_bridge', 'user'),
+        'how a segment ended: DONE, BLOCKED, REJECTED, STALE or FAULT, and why',
+    ),
+    Topic(
+        'weights', 'std_msgs/msg/Float32MultiArray', LATCHED, ('adapter',), ('planner',),
+        'recurrent weights with version and checksum',
+    ),
+    Topic(
+        'dissonance', 'std_msgs/msg/Float32MultiArray', EVENT,
+        ('adapter',), ('planner', 'user'),
+        'learning signal of a segment and whether it changed the weights',
+    ),
+    Topic(
+        'current_pose', 'geometry_msgs/msg/PoseStamped', MOTION,
+        ('tracker',), ('planner', 'view'),
+        'measured tip at 50 Hz',
+    ),
+    Topic(
+        'joint_states', 'sensor_msgs/msg/JointState', MOTION,
+        ('sim_bridge',), ('tracker', 'view'),
+        'measured joint angles, velocities and torques (effort)',
+    ),
+    Topic(
+        'external_torque/joint_states', 'sensor_msgs/msg/JointState', MOTION,
+        ('sim_bridge',), ('tracker',),
+        "the arm's own estimate of the external joint torques (effort)",
+    ),
+    Topic(
+        'wrench', 'geometry_msgs/msg/WrenchStamped', MOTION, ('sim_bridge',), ('view',),
+        'estimated force on the tool',
+    ),
+    Topic(
+        'forward_position_controller/commands', 'std_msgs/msg/Float64MultiArray', MOTION,
+        ('tracker',), ('sim_bridge',),
+        'joint angles to go to, at the rate of the joint states',
+    ),
+    Topic(
+        'contact_truth', 'geometry_msgs/msg/WrenchStamped', SENSOR,
+        ('sim_bridge',), ('user',),
+        'true contact force of the simulator, for scoring only',
+    ),
+    Topic(
+        'segment_path', 'nav_msgs/msg/Path', EVENT, ('adapter',), ('view',),
+        'planned path for display',
+    ),
+    Topic(
+        'executed_path', 'nav_msgs/msg/Path', EVENT, ('adapter',), ('view',),
+        'measured path for display',
+    ),
+    Topic(
+        'markers', 'visualization_msgs/msg/MarkerArray', LATCHED, ('planner',), ('view',),
+        'way points and target for display',
+    ),
+    Topic(
+        'belief', 'nav_msgs/msg/OccupancyGrid', LATCHED, ('adapter',), ('view',),
+        'map of the learned inhibition for display',
+    ),
+    Topic(
+        '/diagnostics', 'diagnostic_msgs/msg/DiagnosticArray', EVENT, NODES, ('view',),
+        'state and counters of every node, once a second',
+    ),
+)  # fmt: skip
+
+_BY_NAME = {topic.name: topic for topic in TOPICS}
+
+
+def topic(name: str) -> Topic:
+    """Return the topic with this name.
+
+    Raises:
+        UnknownTopicError: the table has none; the message lists those it has.
+
+    """
+    try:
+        return _BY_NAME[name]
+    except KeyError:
+        raise UnknownTopicError(
+            f'unknown topic {name!r}; valid topics: {", ".join(_BY_NAME)}'
+        ) from None
+
+
+def markdown_table() -> str:
+    """Return the table in Markdown, as the README shows it."""
+    lines = ['| topic | type | from → to | QoS | meaning |', '|---|---|---|---|---|']
+    for row in TOPICS:
+        ends = f'{", ".join(row.publishers)} → {", ".join(row.subscribers)}'
+        short_type = row.type_name.replace('/msg/', '/')
+        lines.append(
+            f'| `{row.name}` | {short_type} | {ends} | {row.qos.words()} | {row.meaning} |'
+        )
+    return '\n'.join(lines) + '\n'

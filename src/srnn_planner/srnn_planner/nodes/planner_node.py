@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The planner: samples the next segment in time for the tracker to go on without a stop."""
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
+import time
+
+import numpy as np
+from rclpy.lifecycle import LifecyclePublisher
+from srnn_config import Parameters, parameter
+from srnn_config.scene import load_scene
+from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.health import Health, HealthLevel
+from srnn_msgs_py.ros import (
+    dissonance,
+    executed,
+    markers,
+    pose,
+    result,
+    segment as segment_msg,
+    waypoints as waypoints_msg,
+    weights,
+)
+from srnn_msgs_py.segment import Segment
+from srnn_msgs_py.waypoints import Waypoints
+from srnn_node.lifecycle import WorkspaceNode
+from srnn_node.run import run
+
+from srnn_planner.core.errors import SrnnError
+from srnn_planner.core.parameters import ModelParameters, PlanningParameters
+from srnn_planner.core.planner import SegmentPlanner
+from srnn_planner.core.sequencer import Sequencer
+from srnn_planner.core.statistics import Durations
+from srnn_planner.core.task import WaypointTask
+
+
+@dataclass(frozen=True)
+class PlannerParameters(Parameters):
+    """Parameters of the planner node."""
+
+    scene: str = parameter(doc='Scene file with way points, reach radius and velocity.')
+    seed: int = parameter(0, minimum=0, doc='Seed of all random numbers of the planner.')
+    model: ModelParameters = field(default_factory=ModelParameters)
+    planning: PlanningParameters = field(default_factory=PlanningParameters)
+
+
+class PlannerNode(WorkspaceNode):
+    """Plans segments while active; inactive it publishes none, and the arm comes to rest."""
+
+    PARAMETERS = PlannerParameters
+
+    def __init__(self) -> None:
+        """Create the node, unconfigured."""
+        super().__init__('planner')
+        self._last_stamp = 0
+
+    def configure(self, parameters: PlannerParameters) -> None:
+        """Load the scene, compile the kernels, connect the topics."""
+        scene = load_scene(parameters.scene)
+        self._workspace = parameters.model.workspace
+        self._reach_radius = scene.task.reach_radius
+        self._planner = SegmentPlanner(
+            parameters.model, parameters.planning, np.random.default_rng([parameters.seed, 0])
+        )
+        self._planner.warm_up()
+        self._sequencer = Sequencer(
+            self._task(np.array(scene.waypoints)),
+            self._workspace, parameters.planning, scene.task.velocity,
+        )
+        self._planning_times = Durations()
+        self._refused_messages = 0
+        self._weights_version = 0
+        self._segment: LifecyclePublisher = self.advertise('segment')
+        self._markers = self.advertise('markers')
+        self.listen('current_pose', self._on_pose)
+        self.listen('executed', self._on_executed)
+        self.listen('segment_result', self._on_result)
+        self.listen('dissonance', self._on_dissonance)
+        self.listen('weights', self._on_weights)
+        self.listen('waypoints', self._on_waypoints)
+
+    def activate(self) -> None:
+        """Begin with the arm as it is seen next."""
+        self._sequencer.forget_motion()
+        self._show_waypoints()
+
+    def seconds_to_tick(self) -> float | None:
+        """Return the time until the next plan is due [s]."""
+        wake = self._sequencer.wake_time()
+        return None if wake is None else wake - time.monotonic()
+
+    def on_tick(self) -> None:
+        """Plan and publish the segment that is due."""
+        began = time.monotonic()
+        request = self._sequencer.request(began)
+        if request is None:
+            return
+        trajectory = self._planner.plan(request).trajectory
+        if trajectory is None:
+            now = time.monotonic()
+            self._sequencer.failed(now - began, now)
+            return
+        self._last_stamp = max(self.get_clock().now().nanoseconds, self._last_stamp + 1)
+        knots = Segment(self._last_stamp, **vars(trajectory))
+        self._segment.publish(segment_msg.to_msg(knots))
+        now = time.monotonic()
+        self._planning_times.record(now - began)
+        self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
+
+    def health(self) -> Health:
+        """Report counters and planning times."""
+        if not self.active:
+            return Health()
+        counters = asdict(self._sequencer.counters)
+        times = {f'planning_ms_{k}': v for k, v in self._planning_times.summary_ms().items()}
+        values = {
+            **counters, **times,
+            'refused_messages': self._refused_messages,
+            'weights_version': self._weights_version,
+        }
+        level = HealthLevel.WARN if counters['invalid_plans'] else HealthLevel.OK
+        return Health(level, '', values)
+
+    def _on_pose(self, msg: object) -> None:
+        try:
+            self._sequencer.tip(pose.from_msg(msg).position[: self._dimensions])
+        except MessageError:
+            self._refused_messages += 1
+
+    def _on_executed(self, msg: object) -> None:
+        try:
+            path = executed.from_msg(msg)
+        except MessageError:
+            self._refused_messages += 1
+            return
+        if self._sequencer.executed(path.stamp_ns, path.positions):
+            self._show_waypoints()
+
+    def _on_result(self, msg: object) -> None:
+        try:
+            self._sequencer.result(result.from_msg(msg), time.monotonic())
+        except MessageError:
+            self._refused_messages += 1
+
+    def _on_dissonance(self, msg: object) -> None:
+        try:
+            lesson = dissonance.from_msg(msg)
+        except MessageError:
+            self._refused_messages += 1
+            return
+        # Weights travel on a topic of their own and may be behind this message.
+        if not lesson.updated or lesson.weights_version <= self._weights_version:
+            self._sequencer.learned(lesson.segment_stamp_ns)
+
+    def _on_weights(self, msg: object) -> None:
+        try:
+            update = weights.from_msg(msg)
+            self._planner.use_weights(update.matrix)
+        except (MessageError, SrnnError):
+            self._refused_messages += 1
+            return
+        self._weights_version = update.version
+        self._sequencer.learned(update.segment_stamp_ns)
+
+    def _on_waypoints(self, msg: object) -> None:
+        try:
+            tour = waypoints_msg.from_msg(msg)
+            self._sequencer.task = self._task(tour.points[:, : self._dimensions])
+        except (MessageError, SrnnError) as error:
+            self._refused_messages += 1
+            self.get_logger().warning(f'waypoints refused: {error}')
+            return
+        self._show_waypoints()
+
+    @property
+    def _dimensions(self) -> int:
+        return self._planner.model.network.dimensions
+
+    def _task(self, metres: np.ndarray) -> WaypointTask:
+        units = self._workspace.to_units(metres)
+        return WaypointTask(units, self._reach_radius / self._workspace.half_extent)
+
+    def _show_waypoints(self) -> None:
+        task = self._sequencer.task
+        tour = Waypoints(
+            self.get_clock().now().nanoseconds, self._workspace.to_metres(task.waypoints)
+        )
+        self._markers.publish(markers.to_msg(tour, task.active, self._reach_radius))
+
+
+def main(args: Sequence[str] | None = None) -> int:
+    """Run the planner as a process."""
+    return run(PlannerNode, args)
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())
