@@ -26,4 +26,5 @@ class UnknownKeyError(ConfigError, ValueError):
         self.valid = tuple(valid)
         near = difflib.get_close_matches(str(key), self.valid, n=1)
         hint = f" (did you mean '{near[0]}'?)" if near else ''
-        super().__init__(f"{where}: unknown key '{key}'{hint}; valid keys: {', '.join(self.valid)}")
+        valid_keys = ', '.join(self.valid)
+        super().__init__(f"{where}: unknown key '{key}'{hint}; valid keys: {valid_keys}")

@@ -129,3 +129,17 @@ def test_trail_that_is_too_short_gives_its_farthest_point():
         trail.back(0.01)
     trail.extend(np.array([[0.0, 0.0], [0.001, 0.0], [0.002, 0.0]]))
     assert trail.back(0.1) == pytest.approx([0.0, 0.0])
+
+
+@given(seed=SEEDS)
+def test_any_path_can_be_joined_from_any_motion(seed):
+    """Folded, noisy, tiny and far-away paths alike: an arm on the move must get a segment."""
+    rng = np.random.default_rng(seed)
+    angle = rng.uniform(0, 2 * np.pi) + np.cumsum(rng.normal(0, 0.6, 40))
+    step = rng.choice([0.0001, 0.001, 0.003])
+    path = np.cumsum(step * np.column_stack([np.cos(angle), np.sin(angle)]), axis=0)
+    path += rng.normal(0, 0.02, 2)
+    start = Motion(np.zeros(2), rng.uniform(-0.1, 0.1, 2))
+    segment = time_path(path, start, 0.1, P)
+    assert segment is not None
+    assert np.linalg.norm(segment.accelerations, axis=1).max() <= P.acceleration_max

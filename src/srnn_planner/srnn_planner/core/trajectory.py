@@ -71,26 +71,32 @@ def time_path(
 
     """
     curve = fit(join(path, start.position, parameters.blend_steps))
-    speed = velocity
-    for _ in range(8):
-        trajectory = _at_speed(curve, len(path), start, speed, parameters)
+    for attempt in range(20):
+        caution = 0.8**attempt
+        trajectory = _at_speed(curve, len(path), start, velocity, caution, parameters)
         peak = np.linalg.norm(trajectory.accelerations, axis=1).max()
         if peak <= parameters.acceleration_max:
             return trajectory
-        speed *= 0.8
     return None
 
 
 def _at_speed(
-    curve: Curve, knots: int, start: Motion, speed: float, p: TrajectoryParameters
+    curve: Curve,
+    knots: int,
+    start: Motion,
+    velocity: float,
+    caution: float,
+    p: TrajectoryParameters,
 ) -> Trajectory:
+    """Follow the curve at `caution` times the wanted speed, and as much more gently."""
+    acceleration = max(caution, 0.5) * p.acceleration
     length = max(curve.length, 1e-6)
-    speed = min(speed, length / p.duration_min)
+    speed = min(caution * velocity, length / p.duration_min)
     tangent = curve.at(np.zeros(1), 1)[0] / length
     # Faster than this cannot be slowed down within the path; the turn takes the rest.
-    fastest = float(np.sqrt(speed**2 + p.acceleration * length))
-    first = float(np.clip(start.velocity @ tangent, 0.0, fastest))
-    ramp = abs(speed - first) / p.acceleration
+    fastest = float(np.sqrt(speed**2 + acceleration * length))
+    first = float(np.clip(caution * (start.velocity @ tangent), 0.0, fastest))
+    ramp = abs(speed - first) / acceleration
     ramp_length = 0.5 * (speed + first) * ramp
     if ramp_length > 0.8 * length:
         # Too short to reach the speed: one ramp over the whole segment.
@@ -103,7 +109,7 @@ def _at_speed(
     velocities = d1 * s_dot[:, None]
     accelerations = d2 * s_dot[:, None] ** 2 + d1 * s_ddot[:, None]
     turn = start.velocity - velocities[0]
-    h, h_dot, h_ddot = _turn_blend(t, float(np.linalg.norm(turn)), duration, p.acceleration)
+    h, h_dot, h_ddot = _turn_blend(t, float(np.linalg.norm(turn)), duration, acceleration)
     return Trajectory(
         times=t,
         positions=curve.at(s) + h[:, None] * turn,

@@ -8,7 +8,6 @@ import time
 import numpy as np
 from srnn_config import Parameters, parameter
 from srnn_msgs_py.dissonance import Dissonance
-from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health
 from srnn_msgs_py.ros import belief, dissonance, executed, path as path_msg, segment, weights
 from srnn_msgs_py.segment import ExecutedPath, Segment
@@ -56,14 +55,13 @@ class AdapterNode(WorkspaceNode):
         self._initial = self._learner.weights
         self._pairing = Pairing()
         self._update_times = Durations()
-        self._refused_messages = 0
         self._weights = self.advertise('weights')
         self._dissonance = self.advertise('dissonance')
         self._belief = self.advertise('belief')
         self._segment_path = self.advertise('segment_path')
         self._executed_path = self.advertise('executed_path')
-        self.listen('segment', self._on_segment)
-        self.listen('executed', self._on_executed)
+        self.listen('segment', segment.from_msg, self._on_segment)
+        self.listen('executed', executed.from_msg, self._on_executed)
         for name, action in (('save', self._save), ('load', self._load), ('revert', self._revert)):
             self.create_service(Trigger, f'~/{name}', self._service(action))
 
@@ -79,26 +77,15 @@ class AdapterNode(WorkspaceNode):
         values = {
             'updates': self._learner.updates,
             'weights_version': self._version,
-            'refused_messages': self._refused_messages,
             **times,
         }
         return Health(values=values)
 
-    def _on_segment(self, msg: object) -> None:
-        try:
-            pair = self._pairing.segment(segment.from_msg(msg))
-        except MessageError:
-            self._refused_messages += 1
-            return
-        self._learn(pair)
+    def _on_segment(self, plan: Segment) -> None:
+        self._learn(self._pairing.segment(plan))
 
-    def _on_executed(self, msg: object) -> None:
-        try:
-            pair = self._pairing.executed(executed.from_msg(msg))
-        except MessageError:
-            self._refused_messages += 1
-            return
-        self._learn(pair)
+    def _on_executed(self, path: ExecutedPath) -> None:
+        self._learn(self._pairing.executed(path))
 
     def _learn(self, pair: tuple[Segment, ExecutedPath] | None) -> None:
         if pair is None or not self.active:
@@ -108,7 +95,7 @@ class AdapterNode(WorkspaceNode):
         try:
             lesson = self._learner.learn(plan.positions, path.positions)
         except PairingError:
-            self._refused_messages += 1
+            self.refused_messages += 1
             return
         seconds = time.perf_counter() - began
         if lesson.updated:

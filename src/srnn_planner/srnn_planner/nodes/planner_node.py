@@ -6,23 +6,25 @@ from dataclasses import asdict, dataclass, field
 import time
 
 import numpy as np
-from rclpy.lifecycle import LifecyclePublisher
 from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
-from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health, HealthLevel
+from srnn_msgs_py.result import SegmentResult
 from srnn_msgs_py.ros import (
     dissonance,
     executed,
     markers,
     pose,
     result,
-    segment as segment_msg,
-    waypoints as waypoints_msg,
+    segment,
+    waypoints,
     weights,
 )
-from srnn_msgs_py.segment import Segment
+from srnn_msgs_py.segment import ExecutedPath, Segment
+from srnn_msgs_py.tip import TipPosition
 from srnn_msgs_py.waypoints import Waypoints
+from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
 
@@ -68,16 +70,15 @@ class PlannerNode(WorkspaceNode):
             self._workspace, parameters.planning, scene.task.velocity,
         )
         self._planning_times = Durations()
-        self._refused_messages = 0
         self._weights_version = 0
-        self._segment: LifecyclePublisher = self.advertise('segment')
+        self._segment = self.advertise('segment')
         self._markers = self.advertise('markers')
-        self.listen('current_pose', self._on_pose)
-        self.listen('executed', self._on_executed)
-        self.listen('segment_result', self._on_result)
-        self.listen('dissonance', self._on_dissonance)
-        self.listen('weights', self._on_weights)
-        self.listen('waypoints', self._on_waypoints)
+        self.listen('current_pose', pose.from_msg, self._on_pose)
+        self.listen('executed', executed.from_msg, self._on_executed)
+        self.listen('segment_result', result.from_msg, self._on_result)
+        self.listen('dissonance', dissonance.from_msg, self._on_dissonance)
+        self.listen('weights', weights.from_msg, self._on_weights)
+        self.listen('waypoints', waypoints.from_msg, self._on_waypoints)
 
     def activate(self) -> None:
         """Begin with the arm as it is seen next."""
@@ -102,7 +103,7 @@ class PlannerNode(WorkspaceNode):
             return
         self._last_stamp = max(self.get_clock().now().nanoseconds, self._last_stamp + 1)
         knots = Segment(self._last_stamp, **vars(trajectory))
-        self._segment.publish(segment_msg.to_msg(knots))
+        self._segment.publish(segment.to_msg(knots))
         now = time.monotonic()
         self._planning_times.record(now - began)
         self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
@@ -113,61 +114,39 @@ class PlannerNode(WorkspaceNode):
             return Health()
         counters = asdict(self._sequencer.counters)
         times = {f'planning_ms_{k}': v for k, v in self._planning_times.summary_ms().items()}
-        values = {
-            **counters, **times,
-            'refused_messages': self._refused_messages,
-            'weights_version': self._weights_version,
-        }
+        values = {**counters, **times, 'weights_version': self._weights_version}
         level = HealthLevel.WARN if counters['invalid_plans'] else HealthLevel.OK
         return Health(level, '', values)
 
-    def _on_pose(self, msg: object) -> None:
-        try:
-            self._sequencer.tip(pose.from_msg(msg).position[: self._dimensions])
-        except MessageError:
-            self._refused_messages += 1
+    def _on_pose(self, tip: TipPosition) -> None:
+        self._sequencer.tip(tip.position[: self._dimensions])
 
-    def _on_executed(self, msg: object) -> None:
-        try:
-            path = executed.from_msg(msg)
-        except MessageError:
-            self._refused_messages += 1
-            return
+    def _on_executed(self, path: ExecutedPath) -> None:
         if self._sequencer.executed(path.stamp_ns, path.positions):
             self._show_waypoints()
 
-    def _on_result(self, msg: object) -> None:
-        try:
-            self._sequencer.result(result.from_msg(msg), time.monotonic())
-        except MessageError:
-            self._refused_messages += 1
+    def _on_result(self, ended: SegmentResult) -> None:
+        self._sequencer.result(ended, time.monotonic())
 
-    def _on_dissonance(self, msg: object) -> None:
-        try:
-            lesson = dissonance.from_msg(msg)
-        except MessageError:
-            self._refused_messages += 1
-            return
+    def _on_dissonance(self, lesson: Dissonance) -> None:
         # Weights travel on a topic of their own and may be behind this message.
         if not lesson.updated or lesson.weights_version <= self._weights_version:
             self._sequencer.learned(lesson.segment_stamp_ns)
 
-    def _on_weights(self, msg: object) -> None:
+    def _on_weights(self, update: WeightsUpdate) -> None:
         try:
-            update = weights.from_msg(msg)
             self._planner.use_weights(update.matrix)
-        except (MessageError, SrnnError):
-            self._refused_messages += 1
+        except SrnnError:
+            self.refused_messages += 1
             return
         self._weights_version = update.version
         self._sequencer.learned(update.segment_stamp_ns)
 
-    def _on_waypoints(self, msg: object) -> None:
+    def _on_waypoints(self, tour: Waypoints) -> None:
         try:
-            tour = waypoints_msg.from_msg(msg)
             self._sequencer.task = self._task(tour.points[:, : self._dimensions])
-        except (MessageError, SrnnError) as error:
-            self._refused_messages += 1
+        except SrnnError as error:
+            self.refused_messages += 1
             self.get_logger().warning(f'waypoints refused: {error}')
             return
         self._show_waypoints()

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Kinematics and rigid-body dynamics of the nominal arm, computed by MuJoCo's C functions."""
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lwr_description.arm_spec import TIP_SITE, WORKSPACE_SITE, arm_spec
+from lwr_description.errors import UnreachableError
+from lwr_description.joints import DOF
+from lwr_description.limits import POSITION_MAX
+from lwr_description.mount import Mount
+
+Array = NDArray[np.float64]
+
+_INVERSE_ITERATIONS = 100
+_INVERSE_DAMPING = 1e-8
+_POSITION_TOLERANCE = 1e-7
+_POSTURE_TOLERANCE = 1e-7
+_STEP_MAX = 0.3
+
+
+class Kinematics:
+    """The mounted arm as a function of its joint angles; holds scratch memory, no state.
+
+    Joint arguments are (7,) arrays [rad], FRI order and signs. Positions are those of the
+    tip in `srnn_workspace` [m]. Returned arrays belong to the caller.
+
+    Attributes:
+        home: (7,) rest posture [rad], read-only.
+
+    """
+
+    def __init__(self, mount: Mount) -> None:
+        """Compile the arm of `mount`, without contacts."""
+        self._model = arm_spec(mount).compile()
+        self._model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+        self._data = mujoco.MjData(self._model)
+        self._moving = mujoco.MjData(self._model)
+        self._tip = self._model.site(TIP_SITE).id
+        self._tip_world = self._data.site_xpos[self._tip]
+        mujoco.mj_kinematics(self._model, self._data)
+        self._origin = self._data.site(WORKSPACE_SITE).xpos.copy()
+        self.home = np.array(mount.home)
+        self.home.flags.writeable = False
+
+    def tip(self, q: Array) -> Array:
+        """Return the tip (3,) in `srnn_workspace` [m]."""
+        self._data.qpos = q
+        mujoco.mj_kinematics(self._model, self._data)
+        position: Array = self._tip_world - self._origin
+        return position
+
+    def jacobian(self, q: Array) -> Array:
+        """Return d tip / d q, (3, 7) [m/rad]."""
+        self._place(q)
+        jacobian = np.empty((3, DOF))
+        mujoco.mj_jacSite(self._model, self._data, jacobian, None, self._tip)
+        return jacobian
+
+    def tip_and_jacobian(self, q: Array) -> tuple[Array, Array]:
+        """Return `tip` (3,) and `jacobian` (3, 7) for the price of one."""
+        jacobian = self.jacobian(q)
+        return self._tip_world - self._origin, jacobian
+
+    def mass_matrix(self, q: Array) -> Array:
+        """Return the joint-space inertia (7, 7) [kg m^2], armature included."""
+        self._place(q)
+        mass = np.empty((DOF, DOF))
+        mujoco.mj_makeM(self._model, self._data)
+        mujoco.mj_fullM(self._model, self._data, mass)
+        return mass
+
+    def gravity(self, q: Array) -> Array:
+        """Return the torques (7,) [Nm] that hold the arm still against gravity."""
+        self._place(q)
+        torque = np.empty(DOF)
+        mujoco.mj_rne(self._model, self._data, 0, torque)
+        return torque
+
+    def bias(self, q: Array, velocity: Array) -> Array:
+        """Return C(q, v) v + g(q), (7,) [Nm], for joint velocities `velocity` (7,) [rad/s]."""
+        data = self._moving
+        data.qpos = q
+        data.qvel = velocity
+        mujoco.mj_kinematics(self._model, data)
+        mujoco.mj_comPos(self._model, data)
+        mujoco.mj_comVel(self._model, data)
+        torque = np.empty(DOF)
+        mujoco.mj_rne(self._model, data, 0, torque)
+        return torque
+
+    def inverse(self, target: ArrayLike, seed: Array | None = None) -> Array:
+        """Return the joint angles nearest to home whose tip is at `target`.
+
+        Gauss-Newton steps of: minimise |q - home| subject to tip(q) = target, with damped
+        pseudo-inverse (Nakamura and Hanafusa 1986) and clipping at the joint limits.
+
+        Args:
+            target: (3,) position in `srnn_workspace` [m].
+            seed: (7,) where to start searching [rad]; None starts at home.
+
+        Raises:
+            UnreachableError: `target` is not finite or out of reach.
+
+        """
+        goal = np.asarray(target, dtype=float)
+        if goal.shape != (3,) or not np.isfinite(goal).all():
+            raise UnreachableError(f'inverse: target = {target!r}: must be three finite numbers')
+        q = np.array(self.home if seed is None else seed, dtype=float)
+        for _ in range(_INVERSE_ITERATIONS):
+            tip, jacobian = self.tip_and_jacobian(q)
+            error = goal - tip
+            step = self._posture_step(q, error, jacobian)
+            new = np.clip(q + step, -POSITION_MAX, POSITION_MAX)
+            moved = np.abs(new - q).max()
+            if np.abs(error).max() < _POSITION_TOLERANCE and moved < _POSTURE_TOLERANCE:
+                return q
+            q = new
+        error = goal - self.tip(q)
+        if np.abs(error).max() < _POSITION_TOLERANCE:
+            return q
+        raise UnreachableError(
+            f'inverse: target = {goal.tolist()} m: out of reach, '
+            f'the nearest point found is {np.linalg.norm(error):.4f} m away'
+        )
+
+    def _place(self, q: Array) -> None:
+        self._data.qpos = q
+        mujoco.mj_kinematics(self._model, self._data)
+        mujoco.mj_comPos(self._model, self._data)
+
+    def _posture_step(self, q: Array, error: Array, jacobian: Array) -> Array:
+        gram = jacobian @ jacobian.T
+        gram.flat[::4] += _INVERSE_DAMPING
+        home = self.home - q
+        step = home + jacobian.T @ np.linalg.solve(gram, error - jacobian @ home)
+        limited: Array = step * min(1.0, _STEP_MAX / (np.abs(step).max() + 1e-12))
+        return limited

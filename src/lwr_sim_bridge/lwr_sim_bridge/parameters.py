@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What can be set on the simulated arm, validated once."""
+
+from dataclasses import dataclass, field
+
+from srnn_config import Parameters, parameter
+
+
+@dataclass(frozen=True)
+class ImpedanceParameters(Parameters):
+    """Joint impedance law of the arm's own controller."""
+
+    stiffness: tuple[float, ...] = parameter(
+        (2000.0,) * 7, unit='Nm/rad', length=7, above=0.0, maximum=2000.0,
+        doc='Stiffness of each joint, FRI order.',
+    )
+    damping_ratio: float = parameter(
+        0.7, minimum=0.1, maximum=1.5,
+        doc='Damping of each joint, as a share of critical for its own inertia.',
+    )
+
+
+@dataclass(frozen=True)
+class MismatchParameters(Parameters):
+    """What is true of the simulated arm but unknown to its controller and observer."""
+
+    mass_scale: float = parameter(
+        1.03, minimum=0.5, maximum=1.5, doc='Mass and inertia of every link over the nominal.'
+    )
+    payload: float = parameter(
+        0.05, unit='kg', minimum=0.0, maximum=2.0, doc='Mass of the tool beyond the nominal.'
+    )
+    friction: tuple[float, ...] = parameter(
+        (0.2, 0.2, 0.2, 0.2, 0.1, 0.05, 0.05), unit='Nm', length=7, minimum=0.0, maximum=10.0,
+        doc='Dry friction of each joint, FRI order.',
+    )
+
+
+@dataclass(frozen=True)
+class ObserverParameters(Parameters):
+    """The arm's own estimate of external torques."""
+
+    gain: float = parameter(
+        50.0, unit='1/s', above=0.0, maximum=200.0,
+        doc='Bandwidth of the momentum observer; its time constant is 1 / gain.',
+    )
+    ticks: int = parameter(
+        2, minimum=1, maximum=5, doc='The observer runs once in this many 1 ms ticks.'
+    )
+
+
+@dataclass(frozen=True)
+class CommandParameters(Parameters):
+    """How joint position commands are accepted and interpolated."""
+
+    time_constant: float = parameter(
+        0.004, unit='s', minimum=0.001, maximum=0.05,
+        doc='Of the critically damped filter between commands and the impedance law.',
+    )
+    period: float = parameter(
+        0.004, unit='s', minimum=0.001, maximum=0.1, doc='Expected time between commands.'
+    )
+    silence: float = parameter(
+        0.02, unit='s', minimum=0.001, maximum=1.0,
+        doc='The step allowed at top speed grows with the time since the last command, '
+        'but no longer than this.',
+    )
+
+    def check(self) -> None:
+        """Refuse a silence shorter than one period."""
+        if self.silence < self.period:
+            raise self.refuse('silence', self.silence, f'>= period = {self.period:g} s')
+
+
+@dataclass(frozen=True)
+class ContactParameters(Parameters):
+    """Surface of the obstacles."""
+
+    time_constant: float = parameter(
+        0.004, unit='s', minimum=0.002, maximum=0.1,
+        doc='Of the contact spring; its stiffness goes with 1 / time_constant squared.',
+    )
+    friction: float = parameter(
+        0.3, minimum=0.0, maximum=2.0, doc='Sliding friction between tool and obstacle.'
+    )
+
+
+@dataclass(frozen=True)
+class NoiseParameters(Parameters):
+    """Sensor noise beyond what the scene file sets."""
+
+    velocity: float = parameter(
+        0.005, unit='rad/s', minimum=0.0, maximum=1.0,
+        doc='Standard deviation of the measured joint velocities.',
+    )
+    scale: float = parameter(
+        1.0, minimum=0.0, maximum=10.0, doc='Multiplies all sensor noise; 0 switches it off.'
+    )
+
+
+@dataclass(frozen=True)
+class ArmParameters(Parameters):
+    """All parameters of the simulated arm."""
+
+    impedance: ImpedanceParameters = field(default_factory=ImpedanceParameters)
+    mismatch: MismatchParameters = field(default_factory=MismatchParameters)
+    observer: ObserverParameters = field(default_factory=ObserverParameters)
+    command: CommandParameters = field(default_factory=CommandParameters)
+    contact: ContactParameters = field(default_factory=ContactParameters)
+    noise: NoiseParameters = field(default_factory=NoiseParameters)

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The simulated LWR 4+: takes joint positions, reports what the real arm would report."""
+
+from collections.abc import Mapping
+from math import isfinite
+from types import MappingProxyType
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lwr_description import DOF, Kinematics, Mount
+from lwr_sim_bridge.command_gate import CommandGate, Refusal
+from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
+from lwr_sim_bridge.errors import SimulationError
+from lwr_sim_bridge.impedance import JointImpedance
+from lwr_sim_bridge.interpolator import Interpolator
+from lwr_sim_bridge.momentum_observer import MomentumObserver
+from lwr_sim_bridge.parameters import ArmParameters
+from lwr_sim_bridge.scene_model import SceneModel
+from lwr_sim_bridge.sensors import Sensors
+from srnn_config.scene import Scene
+from srnn_msgs_py.joints import JointSample
+
+TICK = 0.001
+"""Period of physics and joint controller [s]."""
+
+
+class SimulatedArm:
+    """Plant, joint impedance controller and torque observer, advanced tick by tick.
+
+    The controller and the observer know the *nominal* arm; the plant is heavier and rubs, as
+    `ArmParameters.mismatch` says. Runs with equal arguments, seed and calls are bit-identical.
+
+    Attributes:
+        model: the plant's MuJoCo model, for viewers and disturbances.
+        data: the plant's MuJoCo state, for viewers and disturbances.
+
+    """
+
+    def __init__(
+        self, parameters: ArmParameters, mount: Mount, scene: Scene, rng: np.random.Generator
+    ) -> None:
+        """Hold still with the tip at `scene.start`, obstacles as in segment 0.
+
+        Raises:
+            SceneShapeError: the simulator cannot build an obstacle.
+            UnreachableError: the arm cannot reach the start.
+
+        """
+        self._parameters = parameters
+        self._kinematics = Kinematics(mount)
+        self._scene = SceneModel(mount, parameters, scene.obstacles)
+        self.model, self.data = self._scene.model, self._scene.data
+        self.model.opt.timestep = TICK
+        start = self._kinematics.inverse((*scene.start, 0.0))
+        self._scene.place(start)
+        self._q, self._v = self.data.qpos, self.data.qvel
+        self._gate = CommandGate(parameters.command, start)
+        self._interpolator = Interpolator(start, parameters.command.time_constant, TICK)
+        self._impedance = JointImpedance(parameters.impedance)
+        self._sensors = Sensors(scene.noise, parameters.noise, rng)
+        self._truth = ContactTruth(self.model, self.data, self._scene.tool)
+        self._start_observer()
+        self._ticks = 0
+        self.set_segment(0)
+
+    def _start_observer(self) -> None:
+        mass = self._kinematics.mass_matrix(self._q)
+        self._impedance.adapt(mass)
+        self._observer = MomentumObserver(self._parameters.observer.gain, mass, np.zeros(DOF))
+        self._friction = self.model.dof_damping.copy()
+        self._torque = self._kinematics.gravity(self._q)
+        self._torque_sum = np.zeros(DOF)
+
+    @property
+    def time(self) -> float:
+        """Simulated time [s]."""
+        return self._ticks * TICK
+
+    @property
+    def truth(self) -> ContactForce:
+        """True contact force; for scoring, never for control."""
+        return self._truth.read()
+
+    @property
+    def tip_truth(self) -> NDArray[np.float64]:
+        """True tip (3,) in `srnn_workspace` [m]; for scoring, never for control."""
+        return self._kinematics.tip(self._q)
+
+    @property
+    def obstacles_present(self) -> tuple[int, ...]:
+        """Indices of the scene's obstacles that stand there now."""
+        return self._scene.present()
+
+    @property
+    def refused(self) -> Mapping[Refusal, int]:
+        """How many commands were refused, by reason."""
+        return MappingProxyType(self._gate.refused)
+
+    def set_segment(self, segment: int) -> None:
+        """Let the obstacles of segment number `segment` appear and the others vanish.
+
+        An obstacle that would appear inside the tool waits until the tool has left.
+        """
+        self._scene.set_segment(segment)
+
+    def set_obstacle(self, index: int, there: bool) -> None:
+        """Put obstacle number `index` of the scene there, or take it away, from now on."""
+        self._scene.set_obstacle(index, there)
+
+    def clear_peak(self) -> None:
+        """Start a new search for `truth.peak`."""
+        self._truth.clear_peak()
+
+    def command(self, q: ArrayLike) -> Refusal | None:
+        """Head for the joint angles `q` (7,) [rad].
+
+        Returns:
+            None when accepted, else why not; the arm then keeps to the last good command.
+
+        """
+        refusal = self._gate.offer(q, self.time)
+        if refusal is None:
+            self._interpolator.command(self._gate.last)
+        return refusal
+
+    def step(self) -> None:
+        """Advance by one tick: joint controller, physics, observer.
+
+        Raises:
+            SimulationError: the simulator has warned or its state is not finite.
+
+        """
+        desired = self._interpolator
+        desired.step()
+        gravity = self._kinematics.gravity(self._q)
+        self._torque = self._impedance.torque(
+            self._q, self._v, desired.position, desired.velocity, gravity
+        )
+        self.data.ctrl = self._torque
+        mujoco.mj_step(self.model, self.data)
+        self._ticks += 1
+        self._check()
+        self._truth.update()
+        self._scene.settle()
+        self._torque_sum += self._torque
+        if self._ticks % self._parameters.observer.ticks == 0:
+            self._observe()
+
+    def sample(self, stamp_ns: int) -> JointSample:
+        """Return what the arm measures now, noise included, stamped `stamp_ns` [ns].
+
+        The external torque is the arm's own estimate: it knows nothing of the true contacts.
+        """
+        position, velocity, torque = self._sensors.read(self._q, self._v, self._torque)
+        return JointSample(stamp_ns, position, velocity, torque, self._observer.residual.copy())
+
+    def _observe(self) -> None:
+        ticks = self._parameters.observer.ticks
+        position, velocity, torque = self._sensors.read(
+            self._q, self._v, self._torque_sum / ticks
+        )
+        mass = self._kinematics.mass_matrix(position)
+        bias = self._kinematics.bias(position, velocity)
+        bias += self._friction * velocity
+        self._observer.update(mass, velocity, bias, torque, ticks * TICK)
+        self._impedance.adapt(mass)
+        self._torque_sum[:] = 0.0
+
+    def _check(self) -> None:
+        numbers = self.data.warning.number
+        squares = self._q.dot(self._q) + self._v.dot(self._v)
+        if isfinite(squares) and numbers.tobytes() == bytes(numbers.nbytes):
+            return
+        kinds = [kind for kind in range(len(numbers)) if numbers[kind]]
+        names = ', '.join(mujoco.mjtWarning(kind).name for kind in kinds) or 'state not finite'
+        raise SimulationError(
+            f'simulated arm at {self.time:.3f} s: {names}; '
+            f'q = {self._q.tolist()}, v = {self._v.tolist()}'
+        )

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Only commands that the arm could follow come through; the others are counted by reason."""
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+import numpy as np
+import pytest
+
+from lwr_description import POSITION_MAX, VELOCITY_MAX
+from lwr_sim_bridge import CommandParameters, Refusal
+from lwr_sim_bridge.command_gate import CommandGate
+
+PARAMETERS = CommandParameters()
+START = np.zeros(7)
+
+
+@pytest.fixture
+def gate():
+    return CommandGate(PARAMETERS, START)
+
+
+@pytest.mark.parametrize(
+    ('command', 'refusal'),
+    [
+        ([0.0] * 6, Refusal.MALFORMED),
+        ([[0.0] * 7], Refusal.MALFORMED),
+        (['a'] * 7, Refusal.MALFORMED),
+        ([np.nan] + [0.0] * 6, Refusal.NOT_FINITE),
+        ([0.0] * 6 + [np.inf], Refusal.NOT_FINITE),
+        ([0.0, 2.2] + [0.0] * 5, Refusal.OUT_OF_RANGE),
+        ([0.0, 0.5] + [0.0] * 5, Refusal.TOO_FAR),
+    ],
+)
+def test_bad_commands_are_refused_counted_and_forgotten(gate, command, refusal):
+    assert gate.offer(command, 1.0) is refusal
+    assert gate.refused[refusal] == 1
+    assert sum(gate.refused.values()) == 1
+    np.testing.assert_array_equal(gate.last, START)
+
+
+def test_steps_up_to_the_speed_limit_are_accepted(gate):
+    q, now = START, 1.0
+    for _ in range(20):
+        q, now = q + 0.999 * PARAMETERS.period * VELOCITY_MAX, now + PARAMETERS.period
+        assert gate.offer(q, now) is None
+    assert gate.offer(q + 1.01 * PARAMETERS.period * VELOCITY_MAX, now) is Refusal.TOO_FAR
+
+
+def test_long_silence_buys_no_longer_step_than_the_stated_one(gate):
+    assert gate.offer(START, 1.0) is None
+    assert gate.offer(1.01 * PARAMETERS.silence * VELOCITY_MAX, 100.0) is Refusal.TOO_FAR
+    assert gate.offer(0.99 * PARAMETERS.silence * VELOCITY_MAX, 100.0) is None
+
+
+def test_silence_shorter_than_the_period_is_refused():
+    with pytest.raises(ValueError, match='silence'):
+        CommandParameters(period=0.01, silence=0.005)
+
+
+anything = st.lists(st.one_of(st.none(), st.text(max_size=3), st.floats()), max_size=8)
+plausible = st.lists(st.floats(-0.1, 0.1), min_size=7, max_size=7)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.one_of(anything, plausible), max_size=5))
+def test_nothing_that_comes_in_gets_an_impossible_command_through(commands):
+    gate = CommandGate(PARAMETERS, START)
+    for k, command in enumerate(commands):
+        before = gate.last.copy()
+        gate.offer(command, 1.0 + 0.004 * k)
+        assert np.isfinite(gate.last).all()
+        assert (np.abs(gate.last) <= POSITION_MAX).all()
+        assert (np.abs(gate.last - before) <= PARAMETERS.silence * VELOCITY_MAX).all()

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tracker: executes segments on the arm and stops on contact."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field
+import time
+from typing import Any
+
+from lwr_description import JOINT_NAMES, Kinematics, Mount
+from srnn_config import Parameters
+from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.health import Health, HealthLevel
+from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.ros import commands, executed, joints, pose, result, segment
+from srnn_msgs_py.segment import Segment
+from srnn_msgs_py.tip import TipPosition
+from srnn_node.lifecycle import WorkspaceNode
+from srnn_node.run import run
+from std_srvs.srv import Trigger
+
+from lwr_tracking.core.failsafe import decide
+from lwr_tracking.core.parameters import TrackerParameters
+from lwr_tracking.core.tracker import Tracker
+
+PRIORITY = 49
+"""SCHED_FIFO priority to ask for."""
+
+MAX_LAG = 0.01
+"""Largest difference in time between joint state and external torque [s]."""
+
+SILENCE = 0.05
+"""Joint states older than this are reported as missing [s]."""
+
+TICKS_PER_POSE = 5
+"""One pose goes out for this many measurements: 50 Hz of 250 Hz."""
+
+LONGEST_STOP = 1.0
+"""No deactivation takes longer than this to bring the arm to rest [s]."""
+
+
+@dataclass(frozen=True)
+class TrackerNodeParameters(Parameters):
+    """Parameters of the tracker node."""
+
+    mount: Mount = field(default_factory=Mount)
+    tracking: TrackerParameters = field(default_factory=TrackerParameters)
+
+
+class TrackerNode(WorkspaceNode):
+    """One joint command for each joint state while active; inactive it commands nothing."""
+
+    PARAMETERS = TrackerNodeParameters
+
+    def __init__(self) -> None:
+        """Create the node, unconfigured."""
+        super().__init__('tracker')
+
+    def configure(self, parameters: TrackerNodeParameters) -> None:
+        """Build the arm's kinematics, connect topics and services."""
+        self._parameters = parameters.tracking
+        self._kinematics = Kinematics(parameters.mount)
+        self._external: Any = None
+        self._sample: JointSample | None = None
+        self._arrival = 0.0
+        self._ticks = 0
+        self._commands = self.advertise('forward_position_controller/commands')
+        self._executed = self.advertise('executed')
+        self._results = self.advertise('segment_result')
+        self._pose = self.advertise('current_pose')
+        self.listen('external_torque/joint_states', lambda msg: msg, self._on_external)
+        self.listen('joint_states', self._pair, self._on_sample)
+        self.listen('segment', segment.from_msg, self._on_segment)
+        for name in ('stop', 'reset', 'pause', 'resume'):
+            self.create_service(Trigger, f'~/{name}', self._service(getattr(self, f'_{name}')))
+
+    def activate(self) -> None:
+        """Hold the arm where it is; segments are accepted from the first measurement on."""
+        self._tracker = Tracker(self._parameters, self._kinematics)
+
+    def deactivate(self) -> None:
+        """Bring the arm to rest on its path, then command nothing more."""
+        self._tracker.pause()
+        period = self._parameters.gate.period
+        until = time.monotonic() + LONGEST_STOP
+        while self._sample is not None and time.monotonic() < until:
+            reference = self._tracker.reference
+            if reference is None or reference.at_rest:
+                break
+            # No measurement can arrive in here; the reference needs none to stop.
+            time.sleep(period)
+            self._cycle(self._sample)
+
+    def health(self) -> Health:
+        """Report conditions, counters and the last measurement."""
+        if not self.active:
+            return Health()
+        counters = asdict(self._tracker.counters)
+        refused = {f'refused_{reason.name.lower()}': n for reason, n in
+                   counters.pop('refused').items()}
+        values = {
+            **counters, **refused,
+            'force_n': self._tracker.contact.force,
+            'error_m': self._tracker.contact.error,
+        }
+        if time.monotonic() - self._arrival > SILENCE:
+            return Health(HealthLevel.ERROR, 'no joint states', values)
+        causes = decide(self._tracker.conditions).causes
+        level = HealthLevel.ERROR if self._tracker.latched else HealthLevel.OK
+        return Health(level, ', '.join(causes), values)
+
+    def _pair(self, msg: Any) -> JointSample:
+        if self._external is None:
+            raise MessageError('no external torque yet')
+        return joints.from_msgs(msg, self._external, JOINT_NAMES, MAX_LAG)
+
+    def _on_external(self, msg: Any) -> None:
+        self._external = msg
+
+    def _on_sample(self, sample: JointSample) -> None:
+        self._sample = sample
+        self._arrival = time.monotonic()
+        if self.active:
+            self._cycle(sample)
+
+    def _cycle(self, sample: JointSample) -> None:
+        tick = self._tracker.tick(time.monotonic(), sample)
+        if tick.command is not None:
+            self._commands.publish(commands.to_msg(tick.command))
+        for end in tick.finished:
+            if end.path is not None:
+                self._executed.publish(executed.to_msg(end.path))
+            self._results.publish(result.to_msg(end.result))
+        self._ticks += 1
+        if self._ticks % TICKS_PER_POSE == 0:
+            self._pose.publish(pose.to_msg(TipPosition(sample.stamp_ns, self._tracker.tip)))
+
+    def _on_segment(self, value: Segment) -> None:
+        if not self.active:
+            return
+        age = 1e-9 * (self.get_clock().now().nanoseconds - value.stamp_ns)
+        refused = self._tracker.offer(value, age)
+        if refused is not None:
+            self._results.publish(result.to_msg(refused))
+
+    def _stop(self) -> str:
+        self._tracker.stop('stop asked for')
+        return 'frozen until reset'
+
+    def _reset(self) -> str:
+        self._tracker.reset()
+        return 'ready; the arm holds until the next segment'
+
+    def _pause(self) -> str:
+        self._tracker.pause()
+        return 'coming to rest on the path'
+
+    def _resume(self) -> str:
+        self._tracker.resume()
+        return 'going on'
+
+    def _service(self, action: Callable[[], str]) -> Callable[..., Trigger.Response]:
+        def answer(_: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
+            response.success = self.active
+            response.message = action() if self.active else f'the tracker is {self.state}'
+            return response
+
+        return answer
+
+
+def main(args: Sequence[str] | None = None) -> int:
+    """Run the tracker as a process."""
+    return run(TrackerNode, args, priority=PRIORITY)
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())

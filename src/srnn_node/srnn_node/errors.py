@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Errors of the node package."""
+
+
+class NodeError(RuntimeError):
+    """A node cannot start or cannot go on; the text says why in one line."""
+
+
+class SchedulingError(NodeError, ValueError):
+    """A real-time priority that no scheduler knows."""

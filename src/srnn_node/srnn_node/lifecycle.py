@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The base of every node: a managed node that survives what clients ask of it."""
+
+from collections.abc import Callable
+import traceback
+from typing import Any, ClassVar, TypeVar
+
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.impl.implementation_singleton import rclpy_implementation
+from rclpy.lifecycle import (
+    LifecycleNode,
+    LifecyclePublisher,
+    LifecycleState,
+    TransitionCallbackReturn,
+)
+from rclpy.subscription import Subscription
+
+from srnn_config import Parameters
+from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.health import Health
+from srnn_msgs_py.ros.message_type import message_type
+from srnn_msgs_py.ros.qos import profile
+from srnn_msgs_py.topics import topic
+from srnn_node import garbage
+from srnn_node.diagnostics import HealthReporter
+from srnn_node.entities import EntityLedger
+from srnn_node.parameters import NoParameters, declare_parameters
+
+SUCCESS = TransitionCallbackReturn.SUCCESS
+FAILURE = TransitionCallbackReturn.FAILURE
+ERROR = TransitionCallbackReturn.ERROR
+
+V = TypeVar('V')
+
+
+class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
+    """A node of the workspace: override the hooks, raise to refuse a transition.
+
+    Unconfigured and inactive nodes publish nothing but their health. Whatever a
+    node creates in `configure` is destroyed for it at clean-up.
+
+    Attributes:
+        PARAMETERS: the parameter set that `configure` gets.
+        failure: why the last transition failed, empty when it did not.
+        refused_messages: messages that no converter would take.
+
+    """
+
+    PARAMETERS: ClassVar[type[Parameters]] = NoParameters
+
+    def __init__(self, name: str, **options: Any) -> None:
+        """Create the node, unconfigured.
+
+        Args:
+            name: default name of the node.
+            options: whatever `rclpy.node.Node` takes.
+
+        """
+        super().__init__(name, **options)
+        self.failure = ''
+        self.refused_messages = 0
+        self._active = False
+        text = 'Configure and activate without being asked.'
+        self.declare_parameter('autostart', False, ParameterDescriptor(description=text))
+        self._reporter = HealthReporter(self, self._health)
+        self._ledger = EntityLedger(self)
+
+    # What a node overrides.
+
+    def configure(self, parameters: Any) -> None:
+        """Create topics and services, load and compile; nothing may move."""
+
+    def activate(self) -> None:
+        """Start working; publishers are open."""
+
+    def deactivate(self) -> None:
+        """Come to rest before returning; publishers are still open."""
+
+    def cleanup(self) -> None:
+        """Free what `configure` made, except for topics, services and timers."""
+
+    def seconds_to_tick(self) -> float | None:
+        """Return the time to the next tick [s], or None; asked only while active."""
+        return None
+
+    def on_tick(self) -> None:
+        """Do what is due; called only while active. Must not log."""
+
+    def health(self) -> Health:
+        """Return severity, one line and counters for /diagnostics."""
+        return Health()
+
+    # What a node uses.
+
+    def advertise(self, name: str) -> LifecyclePublisher:
+        """Return a publisher for a topic of the table; it is silent unless active."""
+        row = topic(name)
+        return self.create_lifecycle_publisher(
+            message_type(row.type_name), row.name, profile(row.qos)
+        )
+
+    def listen(
+        self, name: str, convert: Callable[[Any], V], callback: Callable[[V], None]
+    ) -> Subscription:
+        """Return a subscription to a topic of the table.
+
+        Args:
+            name: name of the topic.
+            convert: turns a message into a value, or raises MessageError; such
+                messages are dropped and counted in `refused_messages`.
+            callback: gets the value.
+
+        """
+
+        def receive(msg: Any) -> None:
+            try:
+                value = convert(msg)
+            except MessageError:
+                self.refused_messages += 1
+                return
+            callback(value)
+
+        row = topic(name)
+        return self.create_subscription(
+            message_type(row.type_name), row.name, receive, profile(row.qos)
+        )
+
+    @property
+    def state(self) -> str:
+        """Label of the state: unconfigured, inactive, active or finalized."""
+        return str(self._state_machine.current_state[1])
+
+    @property
+    def active(self) -> bool:
+        """True between a successful activation and the next deactivation."""
+        return self._active
+
+    # Transitions.
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Declare and check the parameters, then run the hook."""
+        if self._succeeds('configure', self._configure):
+            return super().on_configure(state)
+        self._ledger.destroy_later_ones()
+        return FAILURE
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Keep the garbage collector out, open the publishers, run the hook."""
+        garbage.freeze()
+        super().on_activate(state)
+        if not self._succeeds('activate', self.activate):
+            super().on_deactivate(state)
+            garbage.thaw()
+            return FAILURE
+        self._active = True
+        return SUCCESS
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Run the hook, then close the publishers."""
+        self._active = False
+        stopped = self._succeeds('deactivate', self.deactivate)
+        garbage.thaw()
+        super().on_deactivate(state)
+        return SUCCESS if stopped else ERROR
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Run the hook, then destroy what `configure` created."""
+        cleaned = self._succeeds('cleanup', self.cleanup)
+        self._ledger.destroy_later_ones()
+        return SUCCESS if cleaned else ERROR
+
+    def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Deactivate and clean up as far as the node had come."""
+        steps = []
+        if state.label == 'active':
+            steps.append(self.on_deactivate)
+        if state.label in ('active', 'inactive'):
+            steps.append(self.on_cleanup)
+        results = [step(state) for step in steps]
+        return SUCCESS if all(result == SUCCESS for result in results) else ERROR
+
+    def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Go back to unconfigured after a transition that broke."""
+        self._ledger.destroy_later_ones()
+        return SUCCESS
+
+    def _configure(self) -> None:
+        self.configure(declare_parameters(self, self.PARAMETERS))
+
+    def _succeeds(self, transition: str, hook: Callable[[], None]) -> bool:
+        self.failure = ''
+        try:
+            hook()
+        except Exception as error:
+            self.failure = f'{transition}: {error}' if str(error) else f'{transition}: {error!r}'
+            self.get_logger().error(self.failure)
+            self.get_logger().debug(traceback.format_exc())
+            return False
+        return True
+
+    def _health(self) -> Health:
+        health = self.health()
+        values = {
+            'state': self.state,
+            'refused_messages': self.refused_messages,
+            **health.values,
+        }
+        return Health(health.level, health.message or self.state, values)
+
+    def _LifecycleNodeMixin__on_change_state(self, request: Any, response: Any) -> Any:  # noqa: N802
+        # rclpy lets the error of an impossible transition out of the executor, where it
+        # ends the node: any client could stop the arm that way.
+        try:
+            return super()._LifecycleNodeMixin__on_change_state(request, response)
+        except rclpy_implementation.RCLError:
+            asked = request.transition.label or request.transition.id
+            self.get_logger().warning(f'transition {asked!r} is impossible while {self.state}')
+            response.success = False
+            return response

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs one node as a process, from the first right asked for to the last message sent."""
+
+from collections.abc import Sequence
+import sys
+import time
+import traceback
+from typing import Any
+
+import rclpy
+from rclpy.exceptions import ParameterException
+from rclpy.experimental import EventsExecutor
+from rclpy.impl.implementation_singleton import rclpy_implementation
+from rclpy.lifecycle import TransitionCallbackReturn
+from rclpy.signals import SignalHandlerOptions
+from rclpy.utilities import remove_ros_args
+
+from srnn_node.errors import NodeError
+from srnn_node.lifecycle import WorkspaceNode
+from srnn_node.loop import Loop
+from srnn_node.realtime import request_realtime
+from srnn_node.signals import StopRequest
+from srnn_node.usage import usage
+
+GRACE_S = 0.1
+"""How long the middleware gets to send the last messages [s]."""
+
+
+def run(
+    node_class: type[WorkspaceNode], args: Sequence[str] | None = None, *, priority: int = 0
+) -> int:
+    """Run a node until it is shut down, signalled or broken.
+
+    SIGINT and SIGTERM deactivate, clean up and shut down the node in this order, so
+    that its last command still goes out.
+
+    Args:
+        node_class: node to create; its constructor takes no argument.
+        args: command line including the program name; None for that of the process.
+        priority: SCHED_FIFO priority to ask for, 0 for none; see `srnn_node.realtime`.
+
+    Returns:
+        Exit code: 0 after an orderly end, 1 after a fatal error, 2 for a wrong command line.
+
+    """
+    command_line = list(sys.argv if args is None else args)
+    try:
+        extra = remove_ros_args(command_line)[1:]
+        wrong = f'unknown argument {extra[0]!r}' if extra else ''
+    except RuntimeError as error:
+        extra, wrong = [], str(error)
+    if extra == ['--help']:
+        print(usage(node_class))
+        return 0
+    if wrong:
+        print(f'{node_class.__name__}: {wrong}; try --help', file=sys.stderr)
+        return 2
+    with StopRequest() as stop:
+        try:
+            _live(node_class, command_line, stop, priority)
+        except Exception as error:
+            if not isinstance(error, NodeError):
+                traceback.print_exception(error)
+            print(f'{node_class.__name__}: {str(error) or repr(error)}', file=sys.stderr)
+            return 1
+        finally:
+            rclpy.try_shutdown()
+    return 0
+
+
+def _live(
+    node_class: type[WorkspaceNode], command_line: list[str], stop: StopRequest, priority: int
+) -> None:
+    scheduling = request_realtime(priority)
+    node = _create(node_class, command_line)
+    if not scheduling.granted:
+        node.get_logger().warning(scheduling.words)
+    executor = EventsExecutor()
+    executor.add_node(node)
+    loop = Loop(node, executor)
+    try:
+        if node.get_parameter('autostart').value:
+            _start(node)
+        while stop.name is None and node.state != 'finalized':
+            loop.turn()
+    finally:
+        _wind_down(node, executor)
+        executor.shutdown()
+        node.destroy_node()
+
+
+def _create(node_class: Any, command_line: list[str]) -> WorkspaceNode:
+    try:
+        rclpy.init(args=command_line, signal_handler_options=SignalHandlerOptions.NO)
+        node: WorkspaceNode = node_class()
+    except (rclpy_implementation.RCLError, ParameterException) as error:
+        raise NodeError(f'cannot be created: {error}') from error
+    return node
+
+
+def _start(node: WorkspaceNode) -> None:
+    for trigger in (node.trigger_configure, node.trigger_activate):
+        if trigger() != TransitionCallbackReturn.SUCCESS:
+            raise NodeError(node.failure)
+
+
+def _wind_down(node: WorkspaceNode, executor: Any) -> None:
+    steps = {
+        'active': node.trigger_deactivate,
+        'inactive': node.trigger_cleanup,
+        'unconfigured': node.trigger_shutdown,
+    }
+    while node.state in steps:
+        was = node.state
+        steps[was]()
+        if was == 'active':
+            _spin(executor, GRACE_S)
+
+
+def _spin(executor: Any, seconds: float) -> None:
+    end = time.monotonic() + seconds
+    while (left := end - time.monotonic()) > 0.0:
+        executor.spin_once(timeout_sec=left)

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What ``--help`` prints for a node."""
+
+from srnn_node.lifecycle import WorkspaceNode
+from srnn_node.parameters import leaves
+
+
+def usage(node_class: type[WorkspaceNode]) -> str:
+    """Return the purpose of a node and its parameters with their bounds and units."""
+    lines = [
+        (node_class.__doc__ or node_class.__name__).strip().splitlines()[0],
+        '',
+        'usage: --ros-args [-p NAME:=VALUE]... [--params-file FILE] [-r FROM:=TO]...',
+        '',
+        'parameters:',
+        '  autostart: Configure and activate without being asked.',
+    ]
+    for leaf in leaves(node_class.PARAMETERS):
+        unit = f' [{leaf.spec.unit}]' if leaf.spec.unit else ''
+        lines.append(f'  {leaf.name}: {leaf.spec.doc} ({leaf.spec.bounds()}{unit})')
+    return '\n'.join(lines)
