@@ -31,6 +31,14 @@ def test_same_seed_plans_the_same_segment_even_after_warming_up():
     assert np.array_equal(a.trajectory.positions, b.trajectory.positions)
 
 
+def test_drawing_ahead_changes_no_plan():
+    first, second = planner(), planner()
+    for _ in range(3):
+        second.prepare()
+        a, b = first.plan(request()), second.plan(request())
+        assert np.array_equal(a.trajectory.positions, b.trajectory.positions)
+
+
 def test_segments_lead_towards_the_way_point():
     a_planner = planner()
     for target in np.array([[0.6, 0.0], [0.0, 0.6], [-0.6, 0.0], [0.0, -0.6]]):

@@ -65,7 +65,8 @@ class SegmentPlanner:
         self.planning = planning
         self.neurons = StateNeurons(model.network)
         self.weights: NDArray[np.float32] = self.neurons.prior_weights
-        self._rng = rng
+        self._rng, self._uniform_rng = rng.spawn(2)
+        self._uniforms: NDArray[np.float32] | None = None
         self._window = window(
             planning.sampling.steps, model.network.tau, planning.sampling.decode_sigma
         )
@@ -73,11 +74,12 @@ class SegmentPlanner:
 
     def warm_up(self) -> None:
         """Compile every kernel without touching the stream of random numbers."""
-        rng, self._rng = self._rng, np.random.default_rng(0)
+        kept = self._rng, self._uniform_rng
+        self._rng, self._uniform_rng = np.random.default_rng(0).spawn(2)
         rest = Motion(np.zeros(self._dimensions), np.zeros(self._dimensions))
         self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
         self._contexts.clear()
-        self._rng = rng
+        self._rng, self._uniform_rng = kept
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
         """Take new weights for the next segment, all or nothing.
@@ -127,13 +129,26 @@ class SegmentPlanner:
                 spike_probability(start, self.model.learning),
                 sampling.samples, network.tau, self._rng,
             ),
-            uniforms=self._rng.random((*size, network.neurons), dtype=np.float32),
+            uniforms=self._take_uniforms(),
             context_uniforms=self._rng.random((*size, len(context.weights)), dtype=np.float32),
         )
         _, activity = sample_activity(network, self.neurons.positions, given)
         paths, valid = decode(activity, self._window)
         steps = np.linalg.norm(np.diff(paths, axis=1), axis=2).max(axis=1)
         return paths, valid & (steps <= sampling.step_max)
+
+    def prepare(self) -> None:
+        """Draw the random numbers of the next plan ahead of time; changes no plan."""
+        if self._uniforms is None:
+            sampling = self.planning.sampling
+            size = (sampling.samples, sampling.steps, self.model.network.neurons)
+            self._uniforms = self._uniform_rng.random(size, dtype=np.float32)
+
+    def _take_uniforms(self) -> NDArray[np.float32]:
+        self.prepare()
+        uniforms, self._uniforms = self._uniforms, None
+        assert uniforms is not None
+        return uniforms
 
     @property
     def _dimensions(self) -> int:

@@ -75,7 +75,11 @@ def _sample(
                 since = t - last[k]
                 if draw >= limit or (absolute and since <= tau):
                     continue
-                rho = min(limit, np.exp(min(slope * u[k] - threshold, 0.0)))
+                x = min(slope * u[k] - threshold, 0.0)
+                # exp(x) < 1 / (1 - x + x^2/2 - x^3/6) for x < 0 rules most spikes out.
+                if draw * (1.0 - x * (1.0 - x * (0.5 - x * 0.16666))) > 1.0:
+                    continue
+                rho = min(limit, np.exp(x))
                 if since <= tau:
                     rho = rho * since / tau
                 if draw < rho:

@@ -107,6 +107,7 @@ class PlannerNode(WorkspaceNode):
         now = time.monotonic()
         self._planning_times.record(now - began)
         self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
+        self._planner.prepare()
 
     def health(self) -> Health:
         """Report counters and planning times."""
