@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The tracker: executes segments on the arm and stops on contact."""
 
+from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 import time
 from typing import Any
 
+import numpy as np
 from lwr_description import JOINT_NAMES, Kinematics, Mount
 from srnn_config import Parameters
 from srnn_msgs_py.errors import MessageError
@@ -20,6 +22,7 @@ from std_srvs.srv import Trigger
 
 from lwr_tracking.core.failsafe import decide
 from lwr_tracking.core.parameters import TrackerParameters
+from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.tracker import Tracker
 
 PRIORITY = 49
@@ -28,8 +31,8 @@ PRIORITY = 49
 MAX_LAG = 0.01
 """Largest difference in time between joint state and external torque [s]."""
 
-SILENCE = 0.05
-"""Joint states older than this are reported as missing [s]."""
+SILENCE = 0.25
+"""Without joint states for this long the tracker stops until reset [s]."""
 
 TICKS_PER_POSE = 5
 """One pose goes out for this many measurements: 50 Hz of 250 Hz."""
@@ -63,6 +66,10 @@ class TrackerNode(WorkspaceNode):
         self._sample: JointSample | None = None
         self._arrival = 0.0
         self._ticks = 0
+        # The oldest command is as old as the arm is behind its commands.
+        self._sent: deque[np.ndarray] = deque(
+            maxlen=max(1, round(self._parameters.law.lead / self._parameters.gate.period))
+        )
         self._commands = self.advertise('forward_position_controller/commands')
         self._executed = self.advertise('executed')
         self._results = self.advertise('segment_result')
@@ -86,9 +93,18 @@ class TrackerNode(WorkspaceNode):
             reference = self._tracker.reference
             if reference is None or reference.at_rest:
                 break
-            # No measurement can arrive in here; the reference needs none to stop.
+            # No measurement can arrive in here: assume that the arm follows its commands.
             time.sleep(period)
-            self._cycle(self._sample)
+            self._cycle(replace(self._sample, position=self._sent[0]))
+
+    def seconds_to_tick(self) -> float | None:
+        """Return when the joint states would be overdue [s]."""
+        return None if self._sample is None else self._arrival + SILENCE - time.monotonic()
+
+    def on_tick(self) -> None:
+        """Stop: without joint states nobody knows where the arm is."""
+        self._sample = None
+        self._tracker.stop('no joint states')
 
     def health(self) -> Health:
         """Report conditions, counters and the last measurement."""
@@ -102,7 +118,7 @@ class TrackerNode(WorkspaceNode):
             'force_n': self._tracker.contact.force,
             'error_m': self._tracker.contact.error,
         }
-        if time.monotonic() - self._arrival > SILENCE:
+        if self._sample is None:
             return Health(HealthLevel.ERROR, 'no joint states', values)
         causes = decide(self._tracker.conditions).causes
         level = HealthLevel.ERROR if self._tracker.latched else HealthLevel.OK
@@ -125,6 +141,7 @@ class TrackerNode(WorkspaceNode):
     def _cycle(self, sample: JointSample) -> None:
         tick = self._tracker.tick(time.monotonic(), sample)
         if tick.command is not None:
+            self._sent.append(tick.command)
             self._commands.publish(commands.to_msg(tick.command))
         for end in tick.finished:
             if end.path is not None:
@@ -139,7 +156,8 @@ class TrackerNode(WorkspaceNode):
             return
         age = 1e-9 * (self.get_clock().now().nanoseconds - value.stamp_ns)
         refused = self._tracker.offer(value, age)
-        if refused is not None:
+        # A duplicate has the identity of a segment that may well be running.
+        if refused is not None and refused.reason != Refusal.DUPLICATE:
             self._results.publish(result.to_msg(refused))
 
     def _stop(self) -> str:

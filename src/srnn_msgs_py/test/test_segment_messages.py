@@ -14,6 +14,7 @@ from srnn_msgs_py.ros.trajectory import MAX_POINTS
 from srnn_msgs_py.segment import ExecutedPath, Segment
 
 STAMP = 1_795_000_000_123_456_789
+FRAMES = st.text(st.characters(codec='utf-8', exclude_characters='\0'), max_size=20)
 
 
 @st.composite
@@ -24,7 +25,7 @@ def any_segment(draw):
     steps = draw(st.lists(st.integers(0, 10**9), min_size=count, max_size=count))
     times = np.cumsum(steps) / 1e9
     stamp = draw(st.integers(0, 2**31 * 10**9 - 1))
-    return Segment(stamp, times, draw(numbers), draw(numbers), draw(numbers), draw(st.text()))
+    return Segment(stamp, times, draw(numbers), draw(numbers), draw(numbers), draw(FRAMES))
 
 
 def small_segment(count=3, width=2):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cores of all nodes in one process, on simulated time: a world for tests."""
+"""The cores of all nodes in one process, on the clock of the simulated arm."""
 
 from dataclasses import dataclass, field
 
@@ -19,11 +19,25 @@ from srnn_planner.core.sequencer import Sequencer
 from srnn_planner.core.task import WaypointTask
 
 TICKS_PER_SAMPLE = 4
+"""The arm is measured and commanded at 250 Hz."""
+
+PLANNING_TIME = 0.004
+"""Planning time [s] that the schedule is told, so that runs do not depend on the machine."""
 
 
 @dataclass
 class Log:
-    """What happened: one entry per segment that ended."""
+    """What happened.
+
+    Attributes:
+        segments: every plan that was sent, by identity.
+        results: of the segments that were executed, in order.
+        paths: measured paths, by identity.
+        updates: numbers of the segments that changed the weights.
+        reached: number of the segment and index of the way point it reached.
+        force_peak: largest low-passed true contact force [N].
+
+    """
 
     segments: dict[int, Segment] = field(default_factory=dict)
     results: list[SegmentResult] = field(default_factory=list)
@@ -56,6 +70,7 @@ class LockStep:
         tracking: TrackerParameters | None = None,
         arm: ArmParameters | None = None,
     ) -> None:
+        """Put arm, tracker, planner and learner of one seed into a scene."""
         mount = Mount()
         self.log = Log()
         self.arm = SimulatedArm(
@@ -71,11 +86,12 @@ class LockStep:
     def run(self, segments: int, longest: float = 1000.0) -> Log:
         """Advance until `segments` have ended, or `longest` simulated seconds."""
         while len(self.log.results) < segments and self.arm.time < longest:
-            self._cycle()
+            self.cycle()
         self.log.force_peak = self.arm.truth.peak
         return self.log
 
-    def _cycle(self) -> None:
+    def cycle(self) -> None:
+        """Advance by one measurement of the arm."""
         for _ in range(TICKS_PER_SAMPLE):
             self.arm.step()
         now = self.arm.time
@@ -111,11 +127,11 @@ class LockStep:
             return
         trajectory = self.planner.plan(request).trajectory
         if trajectory is None:
-            self.sequencer.failed(0.004, now)
+            self.sequencer.failed(PLANNING_TIME, now)
             return
         segment = Segment(round(now * 1e9), **vars(trajectory))
         self.log.segments[segment.stamp_ns] = segment
-        self.sequencer.sent(segment.stamp_ns, trajectory, 0.004, now)
+        self.sequencer.sent(segment.stamp_ns, trajectory, PLANNING_TIME, now)
         refused = self.tracker.offer(segment, 0.0)
         if refused is not None:
             self.sequencer.result(refused, now)

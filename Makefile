@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+# Everything starts from a bare `python3` (3.11 or newer): each target sets up what it needs.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check -qq
+PACKAGES := $(patsubst %/setup.py,%,$(wildcard src/*/setup.py))
+BUILD_FILES := $(wildcard src/*/setup.py src/*/setup.cfg src/*/package.xml)
+
+.PHONY: setup demo test test-slow lint clean
+
+setup: $(VENV)/.packages
+
+demo: setup
+	$(BIN)/srnn demo $(ARGS)
+
+test: setup
+	$(BIN)/python -m pytest -m 'not slow' $(ARGS)
+
+test-slow: setup
+	$(BIN)/python -m pytest -m slow $(ARGS)
+
+lint: setup
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+clean:
+	rm -rf $(VENV) build install log .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf src/*/build src/*/*.egg-info
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(VENV)/.requirements: requirements.lock
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed, this is " + sys.version)'
+	@echo 'Setting up $(VENV), about a minute ...'
+	$(PYTHON) -m venv $(VENV)
+	$(PIP) install setuptools==$$(sed -n 's/^setuptools==//p' requirements.lock)
+	$(PIP) install --no-deps --requirement requirements.lock
+	touch $@
+
+# PEP 517 puts console scripts into the environment's bin, in spite of the setup.cfg of ROS.
+$(VENV)/.packages: $(VENV)/.requirements $(BUILD_FILES)
+	$(PIP) install --no-deps --no-build-isolation --use-pep517 $(addprefix --editable ./,$(PACKAGES))
+	touch $@

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From what is wrong to what to do about it: a pure function, the strictest wins."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Flag, IntEnum, auto
+from functools import cache
+from types import MappingProxyType
+
+
+class Reaction(IntEnum):
+    """What the tracker does, from mild to strict; each includes the ones before.
+
+    REJECT: new segments are refused, motion goes on. SOFT_STOP: come to rest along the
+    path. FREEZE: hold the measured tip at once, end what runs, drop what waits.
+    """
+
+    NONE = 0
+    REJECT = 1
+    SOFT_STOP = 2
+    FREEZE = 3
+
+
+class Condition(Flag):
+    """What can be wrong, or asked for."""
+
+    NONE = 0
+    NOT_STARTED = auto()
+    PAUSED = auto()
+    CONTACT = auto()
+    STOPPED = auto()
+    BAD_SAMPLE = auto()
+    DIVERGED = auto()
+
+
+@dataclass(frozen=True)
+class Rule:
+    """Answer to one condition.
+
+    Attributes:
+        reaction: what to do.
+        latches: the reaction stays until a reset, also when the condition has gone.
+        cause: the condition in words.
+
+    """
+
+    reaction: Reaction
+    latches: bool
+    cause: str
+
+
+RULES: Mapping[Condition, Rule] = MappingProxyType(
+    {
+        Condition.NOT_STARTED: Rule(Reaction.REJECT, False, 'arm has not reported yet'),
+        Condition.PAUSED: Rule(Reaction.SOFT_STOP, False, 'paused'),
+        Condition.CONTACT: Rule(Reaction.FREEZE, False, 'contact'),
+        Condition.STOPPED: Rule(Reaction.FREEZE, True, 'stop asked for'),
+        Condition.BAD_SAMPLE: Rule(Reaction.FREEZE, True, 'measurement is not finite'),
+        Condition.DIVERGED: Rule(Reaction.FREEZE, True, 'arm is not where it was commanded'),
+    }
+)
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What a set of conditions demands.
+
+    Attributes:
+        reaction: the strictest of all reactions.
+        latched: the conditions that stay until a reset.
+        causes: all conditions in words, the strictest first.
+
+    """
+
+    reaction: Reaction
+    latched: Condition
+    causes: tuple[str, ...]
+
+
+@cache
+def decide(conditions: Condition) -> Decision:
+    """Return the answer to all conditions together."""
+    rules = sorted(
+        ((c, RULES[c]) for c in conditions), key=lambda item: -item[1].reaction
+    )
+    latched = Condition.NONE
+    for condition, rule in rules:
+        if rule.latches:
+            latched |= condition
+    reaction = rules[0][1].reaction if rules else Reaction.NONE
+    return Decision(reaction, latched, tuple(rule.cause for _, rule in rules))

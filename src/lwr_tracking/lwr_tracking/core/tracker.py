@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tracker: segments and measurements in, joint commands and results out."""
+
+from math import isfinite
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lwr_description import Kinematics
+from lwr_tracking.core.contact_observer import ContactObserver, Touch, tip_force
+from lwr_tracking.core.counters import Counters
+from lwr_tracking.core.errors import ClockError
+from lwr_tracking.core.execution import Execution, Finished
+from lwr_tracking.core.failsafe import Condition, Reaction, decide
+from lwr_tracking.core.parameters import TrackerParameters
+from lwr_tracking.core.reference import Reference
+from lwr_tracking.core.refusal import Refusal
+from lwr_tracking.core.segment_gate import Admission, Join, judge
+from lwr_tracking.core.tracking_law import TrackingLaw
+from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.result import ResultCode, SegmentResult
+from srnn_msgs_py.segment import Segment
+
+Array = NDArray[np.float64]
+
+
+class Tick(NamedTuple):
+    """Answer to one measurement.
+
+    Attributes:
+        command: (7,) joint angles to send [rad]; None before the first good measurement.
+        finished: results since the last tick.
+
+    """
+
+    command: Array | None
+    finished: tuple[Finished, ...]
+
+
+class Tracker:
+    """Follows accepted segments, stops on contact, freezes on faults until reset.
+
+    One `tick` per measurement, one command per tick; segments are offered in between.
+    Without segments the last reference is held. When nothing runs, force is ignored
+    (people may lean on the arm), but an arm pushed off its reference by more than the
+    contact error gives way: it holds where it was pushed to.
+
+    Attributes:
+        tip: (3,) last measured tip in `srnn_workspace` [m].
+        conditions: what is wrong, or asked for, now.
+        counters: what happened so far.
+
+    """
+
+    def __init__(self, parameters: TrackerParameters, kinematics: Kinematics) -> None:
+        """Wait for the first measurement."""
+        self.tip: Array = np.full(3, np.nan)
+        self.conditions = Condition.NOT_STARTED
+        self.counters = Counters()
+        self._parameters = parameters
+        self._kinematics = kinematics
+        self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
+        self._contact = ContactObserver(parameters.contact)
+        self._execution: Execution | None = None
+        self._now: float | None = None
+        self._last_stamp_ns: int | None = None
+        self._finished: list[Finished] = []
+
+    @property
+    def reference(self) -> Reference | None:
+        """Return what is commanded, None before the first good measurement."""
+        return self._execution.reference if self._execution else None
+
+    @property
+    def contact(self) -> ContactObserver:
+        """Return the force and the error of the last measurement."""
+        return self._contact
+
+    @property
+    def correction(self) -> Array:
+        """Return the integral correction of the commanded tip (3,) [m]."""
+        return self._law.correction.copy()
+
+    @property
+    def latched(self) -> bool:
+        """Tell whether the arm is frozen until `reset`."""
+        return bool(decide(self.conditions).latched)
+
+    def offer(self, segment: Segment, age_s: float) -> SegmentResult | None:
+        """Ask for a segment to be executed after what runs now.
+
+        Args:
+            segment: anything that arrived as a segment.
+            age_s: time since it was stamped [s].
+
+        Returns:
+            None if it was accepted, else its result; then nothing has changed.
+
+        """
+        verdict = self._judge(segment, age_s)
+        if isinstance(verdict, Refusal):
+            self.counters.refuse(verdict)
+            code = ResultCode.STALE if verdict is Refusal.STALE else ResultCode.REJECTED
+            return SegmentResult(segment.stamp_ns, code, str(verdict))
+        assert self._execution is not None
+        self.counters.accepted += 1
+        self._last_stamp_ns = segment.stamp_ns
+        self._finish(self._execution.accept(verdict))
+        return None
+
+    def tick(self, now: float, sample: JointSample) -> Tick:
+        """Answer one measurement with one command.
+
+        Args:
+            now: steady-clock time [s]; between ticks at most `limits.max_step` counts.
+            sample: what the arm measured.
+
+        Raises:
+            ClockError: `now` is not finite.
+
+        """
+        dt = self._elapsed(now)
+        if not _usable(sample):
+            self._fault(Condition.BAD_SAMPLE)
+            return self._answer()
+        self.tip, jacobian = self._kinematics.tip_and_jacobian(sample.position)
+        execution = self._execution or self._start(sample)
+        if self._diverged(sample):
+            self._fault(Condition.DIVERGED)
+            self._law.follow(sample.position, dt)
+            return self._answer()
+        self._advance(execution, dt, tip_force(jacobian, sample.external_torque))
+        self._law.step(execution.reference.position, dt, settle=not self.latched)
+        return self._answer()
+
+    def stop(self, reason: str) -> None:
+        """Freeze at the measured tip, now and until `reset`; the running segment FAULTs."""
+        self._fault(Condition.STOPPED, reason)
+
+    def reset(self) -> None:
+        """Forget latched faults; the arm goes on holding where it is."""
+        self.conditions &= ~decide(self.conditions).latched
+
+    def pause(self) -> None:
+        """Come to rest on the path and refuse segments until `resume`."""
+        self.conditions |= Condition.PAUSED
+
+    def resume(self) -> None:
+        """Run on from where `pause` stopped."""
+        self.conditions &= ~Condition.PAUSED
+
+    def _judge(self, segment: Segment, age_s: float) -> Admission | Refusal:
+        if self._execution is None:
+            return Refusal.NOT_STARTED
+        if self.latched:
+            return Refusal.STOPPED
+        if Condition.PAUSED in self.conditions:
+            return Refusal.PAUSED
+        state, late = self._execution.reference.join()
+        return judge(segment, Join(state, late, self._last_stamp_ns), age_s, self._parameters)
+
+    def _elapsed(self, now: float) -> float:
+        if not isfinite(now):
+            raise ClockError(f'now = {now}: must be a finite time in seconds')
+        before, self._now = self._now, now
+        step = 0.0 if before is None else now - before
+        return min(max(step, 0.0), self._parameters.limits.max_step)
+
+    def _start(self, sample: JointSample) -> Execution:
+        """Hold the arm exactly where it is."""
+        self._law.start(sample.position)
+        self._execution = Execution(self.tip, self._parameters)
+        self.conditions &= ~Condition.NOT_STARTED
+        return self._execution
+
+    def _diverged(self, sample: JointSample) -> bool:
+        distance: list[float] = (self._law.command - sample.position).tolist()
+        return max(map(abs, distance)) > self._parameters.limits.joint_divergence
+
+    def _advance(self, execution: Execution, dt: float, force: Array) -> None:
+        execution.reference.paused = decide(self.conditions).reaction >= Reaction.SOFT_STOP
+        stops_before = execution.reference.soft_stops
+        self._finish(execution.advance(dt, self.tip))
+        self.counters.soft_stops += execution.reference.soft_stops - stops_before
+        fx, fy, _ = force.tolist()
+        ex, ey, _ = execution.error.tolist()
+        touch = self._contact.update(fx, fy, ex, ey)
+        running = execution.reference.running is not None
+        if touch is Touch.ERROR or (touch is Touch.FORCE and running):
+            self._touch(touch, running)
+        elif not self._contact.loaded and not self.latched:
+            # Under load the integral would only wind up against the obstacle.
+            self._law.correct(execution.error, dt)
+
+    def _touch(self, touch: Touch, running: bool) -> None:
+        self.counters.contacts += running
+        self.counters.yields += not running
+        values = {'force_n': self._contact.force, 'error_m': self._contact.error}
+        self._react(Condition.CONTACT, ResultCode.BLOCKED, touch.value, values)
+        self._contact.disarm()
+
+    def _fault(self, condition: Condition, reason: str = '') -> None:
+        self.counters.faults += condition not in self.conditions
+        self._react(condition, ResultCode.FAULT, reason or decide(condition).causes[0], {})
+
+    def _react(
+        self, condition: Condition, code: ResultCode, reason: str, values: dict[str, float]
+    ) -> None:
+        """Do what the fail-safe says about a new condition."""
+        decision = decide(self.conditions | condition)
+        self.conditions |= decision.latched
+        if self._execution is None or decision.reaction is not Reaction.FREEZE:
+            return
+        self._finish(self._execution.freeze(self.tip, code, reason, values))
+
+    def _finish(self, finished: tuple[Finished, ...]) -> None:
+        for entry in finished:
+            if entry.path is None:
+                self.counters.refuse(Refusal(entry.result.reason))
+        self._finished.extend(finished)
+
+    def _answer(self) -> Tick:
+        finished, self._finished = tuple(self._finished), []
+        return Tick(None if self._execution is None else self._law.command, finished)
+
+
+def _usable(sample: JointSample) -> bool:
+    """Tell whether all that the tracker reads is finite and has seven elements."""
+    position, torque = sample.position, sample.external_torque
+    # A sum is finite exactly when its terms are; a huge term counts as not finite.
+    return position.shape == torque.shape == (7,) and isfinite(
+        sum(position.tolist()) + sum(torque.tolist())
+    )

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Joint commands whose forward kinematics follow the reference."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lwr_description import POSITION_MAX, VELOCITY_MAX, Kinematics
+from lwr_tracking.core.parameters import LawParameters, LimitParameters
+from lwr_tracking.core.spd_solve import solve_spd3
+
+Array = NDArray[np.float64]
+
+
+class TrackingLaw:
+    """Resolved-rate inverse kinematics on the command side, corrected by measurement.
+
+    Every step is one damped Newton step towards the target (Whitney 1969; damping after
+    Nakamura and Hanafusa 1986), so commanded velocity is that of the target without being
+    asked for; what moves the tip not at all draws the joints home. A slow bounded
+    integral of the measured error makes up for sag and friction of the arm.
+
+    Attributes:
+        command: (7,) last commanded joint angles [rad].
+        correction: (3,) integral correction of the commanded tip [m].
+
+    """
+
+    def __init__(
+        self, law: LawParameters, limits: LimitParameters, kinematics: Kinematics
+    ) -> None:
+        """Command the home posture until `start` is called."""
+        self.command = np.array(kinematics.home)
+        self.correction = np.zeros(3)
+        self._law = law
+        self._kinematics = kinematics
+        self._position_max = POSITION_MAX - limits.position_margin
+        self._velocity_max = VELOCITY_MAX * limits.velocity_share
+        self._damping = law.damping**2 * np.eye(3)
+
+    def start(self, position: Array) -> None:
+        """Command the measured joint angles (7,) [rad], without correction."""
+        self.command = np.array(position)
+        self.correction = np.zeros(3)
+
+    def follow(self, position: Array, dt: float) -> None:
+        """Let the command approach the measured joint angles (7,) [rad] within `dt` [s]."""
+        reach = self._velocity_max * dt
+        self.command = self.command + np.clip(position - self.command, -reach, reach)
+
+    def correct(self, error: Array, dt: float) -> None:
+        """Integrate where the tip should be minus where it is, (3,) [m], over `dt` [s]."""
+        limit = self._law.integral_limit
+        self.correction += self._law.integral_gain * dt * error
+        np.minimum(self.correction, limit, out=self.correction)
+        np.maximum(self.correction, -limit, out=self.correction)
+
+    def step(self, target: Array, dt: float, settle: bool = True) -> Array:
+        """Return the command (7,) [rad] whose tip is nearest to the target after `dt`.
+
+        Args:
+            target: (3,) reference of the tip [m].
+            dt: time since the last command [s].
+            settle: draw the joints home as well.
+
+        """
+        tip, jacobian = self._kinematics.tip_and_jacobian(self.command)
+        wanted = self._bounded(target + self.correction - tip, self._law.tip_speed * dt)
+        rate = self._law.posture_gain * dt if settle else 0.0
+        posture = (self._kinematics.home - self.command) * rate
+        gram = jacobian.dot(jacobian.T) + self._damping
+        move = posture + jacobian.T.dot(solve_spd3(gram, wanted - jacobian.dot(posture)))
+        # One factor for all joints keeps the direction of the tip.
+        excess = max(map(abs, (move / self._velocity_max).tolist()))
+        if excess > dt:
+            move *= dt / excess
+        self.command = self._within_limits(self.command + move)
+        return self.command
+
+    def _within_limits(self, command: Array) -> Array:
+        # A command that starts outside the limits must not jump back inside.
+        high = np.maximum(self._position_max, self.command)
+        low = np.minimum(-self._position_max, self.command)
+        within: Array = np.minimum(np.maximum(command, low), high)
+        return within
+
+    @staticmethod
+    def _bounded(vector: Array, length: float) -> Array:
+        size = float(vector.dot(vector)) ** 0.5
+        return vector if size <= length else vector * (length / size)

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""An arm without physics for tests: it is where it was last commanded."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from lwr_description import Kinematics, Mount
+from lwr_tracking.core import Finished, Tracker, TrackerParameters
+from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.segment import Segment
+
+PERIOD = 0.004
+
+
+class PerfectArm:
+    """Drives one tracker; `push` is an external tip force [N], `q` can be displaced."""
+
+    def __init__(self, parameters: TrackerParameters | None = None, start=(0.0, 0.0)) -> None:
+        self.kinematics = Kinematics(Mount())
+        self.tracker = Tracker(parameters or TrackerParameters(), self.kinematics)
+        self.q = self.kinematics.inverse((*start, 0.0))
+        self.push = np.zeros(3)
+        self.now = 100.0
+        self.finished: list[Finished] = []
+        self.references: list[np.ndarray] = []
+        self.velocities: list[np.ndarray] = []
+
+    def sample(self) -> JointSample:
+        torque = self.kinematics.jacobian(self.q).T @ self.push
+        zero = np.zeros(7)
+        return JointSample(int(self.now * 1e9), self.q.copy(), zero, zero, torque)
+
+    def tick(self, dt: float = PERIOD) -> None:
+        self.now += dt
+        tick = self.tracker.tick(self.now, self.sample())
+        self.finished += tick.finished
+        self.q = tick.command
+        self.references.append(self.tracker.reference.position.copy())
+        self.velocities.append(self.tracker.reference.velocity.copy())
+
+    def run(self, seconds: float, dt: float = PERIOD) -> None:
+        for _ in range(round(seconds / dt)):
+            self.tick(dt)
+
+    def execute(self, segments: Iterable[Segment], patience: float = 60.0) -> None:
+        """Offer each segment as soon as there is room, until all are over."""
+        todo = list(segments)
+        over = len(self.finished) + len(todo)
+        for _ in range(int(patience / PERIOD)):
+            if todo and self.tracker.reference.waiting is None:
+                assert self.tracker.offer(todo.pop(0), 0.0) is None
+            self.tick()
+            if len(self.finished) >= over:
+                return
+        raise AssertionError(f'{len(self.finished)} of {over} segments are over')

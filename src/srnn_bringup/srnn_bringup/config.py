@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The configuration of the whole graph, complete and checked before anything starts."""
+
+from dataclasses import dataclass, field, replace
+import difflib
+import os
+from pathlib import Path
+import sys
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lwr_description import Mount
+from lwr_sim_bridge.parameters import ArmParameters
+from lwr_tracking.core.parameters import TrackerParameters
+from srnn_bringup.errors import ChoiceError, ConfigDirectoryError
+from srnn_config import Parameters, build, parameter, read_yaml
+from srnn_config.scene import Scene, load_scene
+from srnn_planner.core import weights_file
+from srnn_planner.core.parameters import LearningParameters, ModelParameters, PlanningParameters
+from srnn_planner.core.state_neurons import StateNeurons
+
+STANDARD_SCENE = 'four_waypoints'
+
+SEED_MAX = 2**31 - 1
+
+_PLACE = Path('share', 'srnn_bringup', 'config')
+_CONSTANT_SIGNALS = ('constant', 'untriggered')
+
+P = TypeVar('P', bound=Parameters)
+
+
+@dataclass(frozen=True)
+class NetworkFile(Parameters):
+    """The spiking network: what it is and learns (model), and how it plans (planning)."""
+
+    model: ModelParameters = field(default_factory=ModelParameters)
+    planning: PlanningParameters = field(default_factory=PlanningParameters)
+
+
+@dataclass(frozen=True)
+class ArmFile(Parameters):
+    """The arm: where it stands and what it holds (mount), and how it is simulated (arm)."""
+
+    mount: Mount = field(default_factory=Mount)
+    arm: ArmParameters = field(default_factory=ArmParameters)
+
+
+@dataclass(frozen=True)
+class TrackingFile(Parameters):
+    """Tracking: which segments are accepted, how they are followed, what counts as contact."""
+
+    tracking: TrackerParameters = field(default_factory=TrackerParameters)
+
+
+FILES: dict[str, type[Parameters]] = {
+    'network.yaml': NetworkFile,
+    'arm.yaml': ArmFile,
+    'tracking.yaml': TrackingFile,
+}
+"""Name of every configuration file and what it holds."""
+
+
+@dataclass(frozen=True)
+class Choices:
+    """What the command line decides; None leaves it to the files.
+
+    Attributes:
+        scene: name of a scene in the configuration, or path of a scene file.
+        signal: learning signal.
+        alpha: rate of the constant learning signals.
+        seed: seed of all random numbers.
+        initial_weights: weight file to start from.
+        weights_file: weight file that is written.
+
+    """
+
+    scene: str = STANDARD_SCENE
+    signal: str | None = None
+    alpha: float | None = None
+    seed: int = 0
+    initial_weights: Path | None = None
+    weights_file: Path | None = None
+
+
+@dataclass(frozen=True)
+class Configuration(Parameters):
+    """Everything that the nodes are told.
+
+    Attributes:
+        scene_path: absolute path of the scene file.
+        scene: what is in it.
+        network: content of network.yaml, with the choices of the command line.
+        arm: content of arm.yaml.
+        tracking: content of tracking.yaml.
+        initial_weights: absolute path of the weights to start from, None for the prior.
+        weights_file: absolute path of the weights that are written, None for none.
+
+    """
+
+    scene_path: Path
+    scene: Scene
+    network: NetworkFile
+    arm: ArmFile
+    tracking: TrackingFile
+    initial_weights: Path | None = None
+    weights_file: Path | None = None
+    seed: int = parameter(
+        0, minimum=0, maximum=SEED_MAX, doc='Seed of all random numbers of the graph.'
+    )
+
+    def check(self) -> None:
+        """Refuse values that are fine in their own file but impossible together."""
+        limit = self.tracking.tracking.gate.speed_limit
+        if self.scene.task.velocity > limit:
+            raise self.refuse(
+                'scene.velocity', self.scene.task.velocity,
+                f'<= speed_limit = {limit:g} m/s of tracking.yaml',
+            )
+        dimensions = self.network.model.network.dimensions
+        if dimensions != 2:
+            raise self.refuse(
+                'model.network.dimensions', dimensions, '2: scenes and the tracker are planar'
+            )
+
+    @property
+    def learning(self) -> LearningParameters:
+        """What the adapter learns with."""
+        return self.network.model.learning
+
+    @property
+    def alpha(self) -> float | None:
+        """Rate of a constant learning signal; None for the signals that set their own."""
+        return self.learning.rate if self.learning.signal in _CONSTANT_SIGNALS else None
+
+    def start_weights(self) -> NDArray[np.float32]:
+        """Return the weights (K, K) that learning starts from.
+
+        Raises:
+            SrnnError: the weight file cannot be read or does not fit the network.
+
+        """
+        neurons = StateNeurons(self.network.model.network)
+        if self.initial_weights is None:
+            return neurons.prior_weights
+        return neurons.check_weights(weights_file.load(self.initial_weights).matrix)
+
+
+def load(choices: Choices, directory: Path | None = None) -> Configuration:
+    """Read and check all that the graph needs.
+
+    Args:
+        choices: what the command line decides.
+        directory: where the files are; None looks for them.
+
+    Raises:
+        ConfigError: a file cannot be read, a key is unknown or a value impossible.
+        BringupError: there is no configuration, or the choices do not fit.
+        SrnnError: the weight file does not fit.
+
+    """
+    directory = config_directory() if directory is None else directory
+    scene_path = find_scene(choices.scene, directory)
+    configuration = Configuration(
+        scene_path=scene_path,
+        scene=load_scene(scene_path),
+        network=_with_choices(_read(NetworkFile, directory / 'network.yaml'), choices),
+        arm=_read(ArmFile, directory / 'arm.yaml'),
+        tracking=_read(TrackingFile, directory / 'tracking.yaml'),
+        initial_weights=_absolute(choices.initial_weights),
+        weights_file=_absolute(choices.weights_file),
+        seed=choices.seed,
+    )
+    configuration.start_weights()
+    return configuration
+
+
+def config_directory(module: Path = Path(__file__)) -> Path:
+    """Return where the configuration files are.
+
+    In a source tree these are the files that its user edits; else those installed under
+    a prefix of ament, or of Python.
+
+    Args:
+        module: this file.
+
+    Raises:
+        ConfigDirectoryError: they are nowhere; the message lists the places.
+
+    """
+    package = module.resolve().parents[1]
+    source = [package.parents[1] / 'config'] if (package / 'package.xml').is_file() else []
+    ament = [Path(p) for p in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if p]
+    places = [*source, *(prefix / _PLACE for prefix in [*ament, Path(sys.prefix)])]
+    for place in places:
+        if (place / 'network.yaml').is_file():
+            return place
+    looked = ', '.join(str(place) for place in places)
+    raise ConfigDirectoryError(f'no configuration found; looked in {looked}')
+
+
+def scene_names(directory: Path) -> list[str]:
+    """Return the names of the scenes that come with the configuration."""
+    return sorted(path.stem for path in (directory / 'scenes').glob('*.yaml'))
+
+
+def find_scene(choice: str, directory: Path) -> Path:
+    """Return the absolute path of a scene given by name or path.
+
+    Raises:
+        ChoiceError: there is no such scene; the message lists the names.
+
+    """
+    names = scene_names(directory)
+    if choice in names:
+        return (directory / 'scenes' / f'{choice}.yaml').resolve()
+    path = Path(choice)
+    if path.is_file():
+        return path.resolve()
+    near = difflib.get_close_matches(choice, names, n=1)
+    hint = f" (did you mean '{near[0]}'?)" if near else ''
+    raise ChoiceError(
+        f"no scene '{choice}'{hint}; valid: the path of a scene file, or {', '.join(names)}"
+    )
+
+
+def _read(cls: type[P], path: Path) -> P:
+    return build(cls, read_yaml(path), str(path))
+
+
+def _with_choices(network: NetworkFile, choices: Choices) -> NetworkFile:
+    learning = network.model.learning
+    if choices.signal is not None:
+        learning = replace(learning, signal=choices.signal)
+    if choices.alpha is not None:
+        if learning.signal not in _CONSTANT_SIGNALS:
+            raise ChoiceError(
+                f"alpha = {choices.alpha:g} has no effect with signal '{learning.signal}'; "
+                f'it is for {" and ".join(_CONSTANT_SIGNALS)}'
+            )
+        learning = replace(learning, rate=choices.alpha)
+    return replace(network, model=replace(network.model, learning=learning))
+
+
+def _absolute(path: Path | None) -> Path | None:
+    return None if path is None else path.resolve()

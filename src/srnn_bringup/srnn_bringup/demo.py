@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`srnn demo`: the arm learns an obstacle, live, and ends with a report."""
+
+from dataclasses import dataclass
+import signal
+import sys
+import time
+
+from srnn_bringup.config import Configuration
+from srnn_bringup.console import Console
+from srnn_bringup.errors import BringupError, Interrupted, NotReadyError
+from srnn_bringup.live_graph import LiveGraph
+from srnn_bringup.observer import Observer
+from srnn_bringup.recorder import Recorder, start_recording
+from srnn_bringup.report import Outputs, write_report
+from srnn_bringup.trial import Run
+from srnn_node.signals import StopRequest
+
+DISCOVERY_S = 15.0
+"""Longest wait for the topics of the graph [s]."""
+
+SILENCE_S = 30.0
+"""A run in which no segment ends for this long has failed [s]."""
+
+FAILED = 1
+
+
+@dataclass
+class Progress:
+    """What of a run has been shown so far, and when it began."""
+
+    shown: int = 0
+    refused: int = 0
+    began: float | None = None
+    last_end: float = 0.0
+
+    @property
+    def wall_s(self) -> float:
+        """Time from the activation to the end of the last segment [s]."""
+        return 0.0 if self.began is None else max(self.last_end - self.began, 0.0)
+
+
+def run_demo(configuration: Configuration, segments: int, outputs: Outputs) -> int:
+    """Run the graph until enough segments have ended, and report, whatever happens.
+
+    Args:
+        configuration: what the nodes are told.
+        segments: number of segments to execute.
+        outputs: files to write.
+
+    Returns:
+        Exit code: 0 after all segments, 1 after a failure, 128 + signal number when
+        interrupted.
+
+    """
+    console = Console(sys.stdout)
+    recorder = start_recording(configuration)
+    progress = Progress()
+    names: tuple[str, ...] = ()
+    code = 0
+    with StopRequest() as stop:
+        try:
+            with LiveGraph(configuration, stop, console.note) as graph:
+                names = graph.names
+                _run(graph, recorder, console, progress, segments)
+        except Interrupted as wish:
+            code = 128 + signal.Signals[str(wish)]
+            console.note(f'stopped by {wish}')
+        except BringupError as error:
+            code = FAILED
+            print(f'srnn demo: {error}', file=sys.stderr, flush=True)
+        run = Run(names, progress.wall_s, configuration.scene.task.blocked, segments)
+        write_report(configuration, recorder, run, outputs, console.note)
+    return code
+
+
+def _run(
+    graph: LiveGraph, recorder: Recorder, console: Console, progress: Progress, segments: int
+) -> None:
+    observer = Observer(graph.node, recorder)
+    graph.configure()
+    if not graph.pump.until(observer.connected, DISCOVERY_S):
+        raise NotReadyError(f'the topics of the graph do not appear within {DISCOVERY_S:g} s')
+    graph.activate()
+    console.heading()
+    progress.began = progress.last_end = time.monotonic()
+    while progress.shown < segments:
+        graph.pump.turn()
+        _show(recorder, console, progress, segments)
+        if time.monotonic() - progress.last_end > SILENCE_S:
+            raise NotReadyError(f'no segment has ended for {SILENCE_S:g} s')
+
+
+def _show(recorder: Recorder, console: Console, progress: Progress, segments: int) -> None:
+    for result in recorder.refused[progress.refused :]:
+        console.refused(result)
+        progress.refused += 1
+    for record in recorder.records[progress.shown : segments]:
+        console.segment(record)
+        progress.shown += 1
+        progress.last_end = time.monotonic()

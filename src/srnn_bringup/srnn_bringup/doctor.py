@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`srnn doctor`: what is installed, what is missing, what rights the process has."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from importlib import import_module, metadata
+import os
+from pathlib import Path
+import resource
+import shutil
+import sys
+
+from srnn_bringup.config import Choices, config_directory, load, scene_names
+from srnn_bringup.environment import DISCOVERY_RANGE
+from srnn_bringup.errors import BringupError
+from srnn_config import ConfigError
+
+PYTHON = (3, 11)
+SHARED_MEMORY = Path('/dev/shm')
+SHARED_MEMORY_MIB = 32
+"""Every process of the graph takes about half a MiB; less than this is asking for trouble."""
+
+NEEDED = (
+    'numpy', 'numba', 'scipy', 'mujoco', 'yaml', 'matplotlib', 'rclpy', 'lifecycle_msgs',
+    'std_msgs', 'std_srvs', 'geometry_msgs', 'nav_msgs', 'sensor_msgs', 'trajectory_msgs',
+    'visualization_msgs', 'diagnostic_msgs', 'srnn_config', 'srnn_msgs_py', 'srnn_node', 'srnn_planner',
+    'lwr_description', 'lwr_tracking', 'lwr_sim_bridge',
+)  # fmt: skip
+
+_DISTRIBUTIONS = {'yaml': 'PyYAML'}
+
+
+class Verdict(Enum):
+    """How bad a finding is."""
+
+    OK = 'ok'
+    NOTE = 'note'
+    MISSING = 'MISSING'
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that was looked at.
+
+    Attributes:
+        subject: what was looked at.
+        verdict: how bad it is.
+        words: what was found, and what helps.
+
+    """
+
+    subject: str
+    verdict: Verdict
+    words: str
+
+
+def run_doctor(say: Callable[[str], None]) -> int:
+    """Say what was found; return 0 when nothing that is needed is missing, else 1."""
+    worst = 0
+    for finding in examine():
+        say(f'{finding.verdict.value:>7}  {finding.subject:<22} {finding.words}')
+        worst = max(worst, int(finding.verdict is Verdict.MISSING))
+    return worst
+
+
+def examine(environ: Mapping[str, str] = os.environ) -> Iterator[Finding]:
+    """Yield everything worth looking at."""
+    yield _python()
+    for name in NEEDED:
+        yield _package(name)
+    yield _configuration()
+    yield from _rights()
+    yield _shared_memory(SHARED_MEMORY)
+    yield from _middleware(environ)
+
+
+def _python() -> Finding:
+    found = '.'.join(map(str, sys.version_info[:3]))
+    needed = '.'.join(map(str, PYTHON))
+    verdict = Verdict.OK if sys.version_info >= PYTHON else Verdict.MISSING
+    return Finding('python', verdict, f'{found} (needed: {needed} or newer), {sys.executable}')
+
+
+def _package(name: str) -> Finding:
+    try:
+        import_module(name)
+    except ImportError as error:
+        return Finding(name, Verdict.MISSING, f'cannot be imported: {error}')
+    try:
+        return Finding(name, Verdict.OK, metadata.version(_DISTRIBUTIONS.get(name, name)))
+    except metadata.PackageNotFoundError:
+        return Finding(name, Verdict.OK, 'from the source tree')
+
+
+def _configuration() -> Finding:
+    try:
+        directory = config_directory()
+        load(Choices(), directory)
+    except (BringupError, ConfigError) as error:
+        return Finding('configuration', Verdict.MISSING, str(error))
+    scenes = ', '.join(scene_names(directory))
+    return Finding('configuration', Verdict.OK, f'{directory}; scenes: {scenes}')
+
+
+def _rights() -> Iterator[Finding]:
+    policy, parameters = os.sched_getscheduler(0), os.sched_getparam(0)
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+        os.sched_setscheduler(0, policy, parameters)
+        yield Finding('real-time priority', Verdict.OK, 'SCHED_FIFO is allowed')
+    except OSError as error:
+        words = f'{error.strerror}: the arm is controlled with more jitter'
+        yield Finding('real-time priority', Verdict.NOTE, words)
+    soft, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
+    unlimited = soft == resource.RLIM_INFINITY or os.geteuid() == 0
+    words = 'unlimited' if unlimited else f'at most {soft // 1024} KiB'
+    yield Finding('locked memory', Verdict.OK if unlimited else Verdict.NOTE, words)
+
+
+def _shared_memory(place: Path) -> Finding:
+    try:
+        free = shutil.disk_usage(place).free >> 20
+        left = sum(1 for _ in place.glob('fastrtps_*'))
+    except OSError as error:
+        return Finding('shared memory', Verdict.NOTE, f'{error}; slower transports are used')
+    words = f'{free} MiB free in {place}, {left} files of the middleware'
+    if free < SHARED_MEMORY_MIB:
+        return Finding('shared memory', Verdict.NOTE, f'{words}; `fastdds shm clean` helps')
+    return Finding('shared memory', Verdict.OK, words)
+
+
+def _middleware(environ: Mapping[str, str]) -> Iterator[Finding]:
+    wide = environ.get(DISCOVERY_RANGE)
+    words = wide or 'LOCALHOST, unless set'
+    local = wide in (None, 'LOCALHOST', 'OFF')
+    risk = '' if local else ': other hosts can take part, and command the arm'
+    yield Finding('discovery range', Verdict.OK if local else Verdict.NOTE, words + risk)
+    yield Finding('ROS_DOMAIN_ID', Verdict.OK, environ.get('ROS_DOMAIN_ID', '0, unless set'))
+    middleware = environ.get('RMW_IMPLEMENTATION', 'rmw_fastrtps_cpp')
+    tested = middleware == 'rmw_fastrtps_cpp'
+    words = middleware if tested else f'{middleware}: only rmw_fastrtps_cpp is tested'
+    yield Finding('RMW_IMPLEMENTATION', Verdict.OK if tested else Verdict.NOTE, words)

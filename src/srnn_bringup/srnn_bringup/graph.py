@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The graph as data: its nodes, where they live, and what each of them is told."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from srnn_bringup.config import Configuration
+from srnn_config import to_mapping
+
+
+@dataclass(frozen=True)
+class NodeDescription:
+    """One node of the graph.
+
+    Attributes:
+        name: name of the node.
+        package: ROS package that installs it.
+        executable: its name for ``ros2 run``.
+        module: its name for ``python -m``.
+        real_time: whether it moves the arm and may ask for a real-time priority.
+        parameters: nested parameter mapping of plain data.
+
+    """
+
+    name: str
+    package: str
+    executable: str
+    module: str
+    real_time: bool
+    parameters: Mapping[str, Any]
+
+
+def describe(configuration: Configuration) -> tuple[NodeDescription, ...]:
+    """Return the nodes in the order in which they are brought up.
+
+    The arm comes first and the planner last: whoever starts to send finds its
+    listeners ready, and nothing moves before all of them are.
+    """
+    scene = str(configuration.scene_path)
+    seed = configuration.seed
+    network, arm = to_mapping(configuration.network), to_mapping(configuration.arm)
+    tracking = to_mapping(configuration.tracking)
+    return (
+        NodeDescription(
+            'sim_bridge', 'lwr_sim_bridge', 'sim_bridge', 'lwr_sim_bridge.bridge_node', True,
+            {'scene': scene, 'seed': seed, **arm},
+        ),
+        NodeDescription(
+            'tracker', 'lwr_tracking', 'tracker', 'lwr_tracking.tracker_node', True,
+            {'mount': arm['mount'], **tracking},
+        ),
+        NodeDescription(
+            'adapter', 'srnn_planner', 'adapter', 'srnn_planner.nodes.adapter_node', False,
+            {
+                'seed': seed,
+                'initial_weights': _text(configuration.initial_weights),
+                'weights_file': _text(configuration.weights_file),
+                'model': network['model'],
+            },
+        ),
+        NodeDescription(
+            'planner', 'srnn_planner', 'planner', 'srnn_planner.nodes.planner_node', False,
+            {'scene': scene, 'seed': seed, **network},
+        ),
+    )  # fmt: skip
+
+
+def write_parameters(
+    nodes: Sequence[NodeDescription], directory: Path, **extra: Any
+) -> dict[str, Path]:
+    """Write one ROS parameter file per node.
+
+    Args:
+        nodes: nodes of the graph.
+        directory: existing directory to write to.
+        extra: parameters that every node gets besides its own.
+
+    Returns:
+        The file of every node, by name.
+
+    """
+    files = {}
+    for node in nodes:
+        files[node.name] = directory / f'{node.name}.yaml'
+        # Any name matches, so that the graph can be put into a namespace.
+        content = {'/**': {'ros__parameters': {**node.parameters, **extra}}}
+        files[node.name].write_text(
+            yaml.safe_dump(content, sort_keys=False, allow_unicode=True), encoding='utf-8'
+        )
+    return files
+
+
+def _text(path: Path | None) -> str:
+    return '' if path is None else str(path)

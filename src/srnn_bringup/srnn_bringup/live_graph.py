@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The running graph: its processes and the way through their lifecycles."""
+
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
+from functools import partial
+import os
+from pathlib import Path
+import re
+import sys
+import tempfile
+from types import TracebackType
+from typing import Self
+
+import rclpy
+from rclpy.experimental import EventsExecutor
+from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
+
+from srnn_bringup.config import Configuration
+from srnn_bringup.environment import graph_environment, node_environment
+from srnn_bringup.errors import BringupError, Interrupted, NodeDiedError
+from srnn_bringup.graph import NodeDescription, describe, write_parameters
+from srnn_bringup.lifecycle_client import LifecycleClient
+from srnn_bringup.pump import Pump
+from srnn_bringup.supervisor import Command, Supervisor
+from srnn_node.signals import StopRequest
+
+CONFIGURE_S = 180.0
+"""The first configuration on a machine compiles the kernels [s]."""
+
+ACTIVATE_S = 10.0
+DEACTIVATE_S = 4.0
+
+_ERROR_LINE = re.compile(r'^\[(?:ERROR|FATAL)\](?: \[[^]]*\])* ?:? ?(.*)$')
+
+
+class LiveGraph:
+    """All nodes as processes; as a context manager it takes down whatever it brought up.
+
+    Attributes:
+        node: node of this process, for whoever wants to listen.
+        pump: handles events; raises `Interrupted` or `NodeDiedError`.
+        names: names of the nodes in the order of their bring-up.
+
+    """
+
+    def __init__(
+        self, configuration: Configuration, stop: StopRequest, say: Callable[[str], None]
+    ) -> None:
+        """Start nothing yet.
+
+        Args:
+            configuration: what the nodes are told.
+            stop: tells when the user wants to stop.
+            say: told in words what happens.
+
+        """
+        self._descriptions = describe(configuration)
+        self._stop = stop
+        self._say = say
+        self._stack = ExitStack()
+        self._active: list[LifecycleClient] = []
+        self.names = tuple(description.name for description in self._descriptions)
+
+    def __enter__(self) -> Self:
+        with ExitStack() as stack:
+            self._start(stack)
+            self._stack = stack.pop_all()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._say('stopping')
+        with self._stack:
+            self._deactivate()
+
+    @property
+    def pids(self) -> dict[str, int]:
+        """Process ids of the nodes by name."""
+        return self._supervisor.pids
+
+    def configure(self) -> None:
+        """Configure every node; nothing moves yet."""
+        for client in self._clients:
+            self._say(f'configuring {client.name}')
+            client.change('configure', self.pump, CONFIGURE_S)
+
+    def activate(self) -> None:
+        """Activate every node, the arm first and the planner last."""
+        self._say(f'activating {", ".join(self.names)}')
+        for client in self._clients:
+            client.change('activate', self.pump, ACTIVATE_S)
+            self._active.append(client)
+
+    def _start(self, stack: ExitStack) -> None:
+        directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
+        files = write_parameters(self._descriptions, directory)
+        self._say(f'starting {", ".join(self.names)}')
+        # Before this process has the threads of the middleware, it may fork safely.
+        self._supervisor = stack.enter_context(Supervisor(directory))
+        for description in self._descriptions:
+            self._supervisor.start(command(description, files[description.name]))
+        os.environ.update(graph_environment(os.environ))
+        rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
+        stack.callback(rclpy.try_shutdown)
+        self.node = Node('srnn', enable_rosout=False, start_parameter_services=False)
+        stack.callback(self.node.destroy_node)
+        executor = EventsExecutor()
+        stack.callback(executor.shutdown)
+        executor.add_node(self.node)
+        self.pump = Pump(executor, self._guard)
+        self._clients = [
+            LifecycleClient(self.node, name, partial(self._last_error, name))
+            for name in self.names
+        ]
+
+    def _deactivate(self) -> None:
+        pump = self.pump.unguarded()
+        for client in reversed(self._active):
+            # Whatever goes wrong here, the process is stopped next.
+            with suppress(BringupError):
+                if self._supervisor.alive(client.name):
+                    client.change('deactivate', pump, DEACTIVATE_S)
+        self._active.clear()
+
+    def _guard(self) -> None:
+        death = self._supervisor.death()
+        if death is not None:
+            output = ''.join(f'\n  | {line}' for line in death.last_lines)
+            raise NodeDiedError(death.words() + output)
+        if self._stop.name is not None:
+            raise Interrupted(self._stop.name)
+
+    def _last_error(self, name: str) -> str:
+        return last_error(self._supervisor.last_lines(name, count=1000))
+
+
+def command(description: NodeDescription, parameters: Path) -> Command:
+    """Return the process of a node with its parameter file."""
+    return Command(
+        description.name,
+        (sys.executable, '-m', description.module, '--ros-args', '--params-file', str(parameters)),
+        node_environment(os.environ, description.real_time),
+    )
+
+
+def last_error(lines: tuple[str, ...]) -> str:
+    """Return the text of the last error that a node has logged, empty if there is none."""
+    matches = (_ERROR_LINE.match(line) for line in reversed(lines))
+    return next((match[1] for match in matches if match), '')
