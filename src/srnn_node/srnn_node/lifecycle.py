@@ -125,6 +125,10 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
             message_type(row.type_name), row.name, receive, profile(row.qos)
         )
 
+    def report_health(self) -> None:
+        """Publish the health now, besides once a second."""
+        self._reporter.report()
+
     @property
     def state(self) -> str:
         """Label of the state: unconfigured, inactive, active or finalized."""

@@ -9,7 +9,7 @@ from rclpy.lifecycle import TransitionCallbackReturn
 from std_msgs.msg import Float64MultiArray
 
 from srnn_msgs_py.health import Health, HealthLevel
-from srnn_msgs_py.ros import diagnostics
+from srnn_msgs_py.ros import commands, diagnostics
 from srnn_node.lifecycle import WorkspaceNode
 
 COMMANDS = 'forward_position_controller/commands'
@@ -31,7 +31,7 @@ class Recorder(WorkspaceNode):
 
     def configure(self, parameters):
         self.publisher = self.advertise(COMMANDS)
-        self.listen(COMMANDS, lambda msg: msg, self.heard.append)
+        self.listen(COMMANDS, lambda msg: commands.from_msg(msg, 1)[0], self.heard.append)
         self.create_timer(100.0, lambda: None)
         self.record('configure')
 
@@ -120,7 +120,7 @@ def test_nothing_is_published_unless_active(bench):
     node.trigger_activate()
     node.publisher.publish(Float64MultiArray(data=[2.0]))
     bench.spin_until(lambda: node.heard)
-    assert [msg.data[0] for msg in node.heard] == [2.0]
+    assert node.heard == [2.0]
 
 
 def test_the_last_message_of_deactivate_goes_out(bench):
@@ -130,7 +130,20 @@ def test_the_last_message_of_deactivate_goes_out(bench):
     node.trigger_activate()
     node.trigger_deactivate()
     bench.spin_until(lambda: node.heard)
-    assert node.heard[-1].data[0] == -1.0
+    assert node.heard[-1] == -1.0
+
+
+def test_messages_that_no_converter_takes_are_dropped_and_counted(bench):
+    node = bench.add(Recorder(bench.context))
+    node.trigger_configure()
+    node.trigger_activate()
+    bench.spin_until(lambda: node.publisher.get_subscription_count() == 1)
+    node.publisher.publish(Float64MultiArray(data=[1.0, 2.0]))
+    bench.spin_until(lambda: node.refused_messages == 1)
+    node.publisher.publish(Float64MultiArray(data=[3.0]))
+    bench.spin_until(lambda: node.heard)
+    assert node.heard == [3.0]
+    node.trigger_deactivate()
 
 
 @pytest.mark.parametrize(

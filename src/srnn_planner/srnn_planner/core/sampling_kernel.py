@@ -57,8 +57,9 @@ def _sample(
     spikes = np.zeros((samples, steps, neurons), dtype=np.uint8)
     activity = np.zeros((samples, tau + steps, dimensions + 1))
     u = np.empty(neurons)
-    last = np.empty(neurons, dtype=np.int64)
+    last = np.empty(neurons, dtype=np.int32)
     begun = np.empty(neurons, dtype=np.int64)
+    candidates = np.empty(neurons, dtype=np.int64)
     context_last = np.empty(context_neurons, dtype=np.int64)
     for s in range(samples):
         _begin(s, history, weights, positions, tau, u, last, activity)
@@ -70,19 +71,25 @@ def _sample(
                 t, tau, s, theta, context_probability, context_uniforms, u, context_last
             )
             begun_count = 0
+            draws = uniforms[s, t]
+            # Without a branch: four of five neurons draw above the limit at random.
+            count = 0
             for k in range(neurons):
-                draw = uniforms[s, t, k]
+                candidates[count] = k
+                count += draws[k] < limit
+            for c in range(count):
+                k = candidates[c]
                 since = t - last[k]
-                if draw >= limit or (absolute and since <= tau):
+                if absolute and since <= tau:
                     continue
                 x = min(slope * u[k] - threshold, 0.0)
                 # exp(x) < 1 / (1 - x + x^2/2 - x^3/6) for x < 0 rules most spikes out.
-                if draw * (1.0 - x * (1.0 - x * (0.5 - x * 0.16666))) > 1.0:
+                if draws[k] * (1.0 - x * (1.0 - x * (0.5 - x * 0.16666))) > 1.0:
                     continue
                 rho = min(limit, np.exp(x))
                 if since <= tau:
                     rho = rho * since / tau
-                if draw < rho:
+                if draws[k] < rho:
                     spikes[s, t, k] = 1
                     if since > tau:
                         begun[begun_count] = k

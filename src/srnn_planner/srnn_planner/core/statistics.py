@@ -17,6 +17,11 @@ class Durations:
         """Take in one duration [s]."""
         self._seconds.append(seconds)
 
+    @property
+    def last(self) -> float:
+        """The latest duration [s], 0 before the first."""
+        return self._seconds[-1] if self._seconds else 0.0
+
     def summary_ms(self) -> dict[str, float]:
         """Return mean, sd, p50 and p99 [ms]; zeros before the first duration."""
         values = 1e3 * np.array(self._seconds if self._seconds else [0.0])

@@ -107,6 +107,7 @@ class PlannerNode(WorkspaceNode):
         now = time.monotonic()
         self._planning_times.record(now - began)
         self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
+        self.report_health()
         self._planner.prepare()
 
     def health(self) -> Health:
@@ -115,7 +116,13 @@ class PlannerNode(WorkspaceNode):
             return Health()
         counters = asdict(self._sequencer.counters)
         times = {f'planning_ms_{k}': v for k, v in self._planning_times.summary_ms().items()}
-        values = {**counters, **times, 'weights_version': self._weights_version}
+        values = {
+            **counters,
+            **times,
+            'planning_ms': 1e3 * self._planning_times.last,
+            'segment_stamp_ns': self._last_stamp,
+            'weights_version': self._weights_version,
+        }
         level = HealthLevel.WARN if counters['invalid_plans'] else HealthLevel.OK
         return Health(level, '', values)
 
