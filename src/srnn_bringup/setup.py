@@ -8,8 +8,8 @@ from setuptools import find_packages, setup
 
 PACKAGE = 'srnn_bringup'
 
-CONFIG = Path(__file__).resolve().parents[2] / 'config'
-HERE = Path(__file__).parent
+HERE = Path(__file__).resolve().parent
+CONFIG = HERE.parents[1] / 'config'
 
 
 def files(folder: Path, pattern: str) -> list[str]:

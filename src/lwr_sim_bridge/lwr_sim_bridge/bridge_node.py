@@ -7,7 +7,12 @@ from functools import partial
 import time
 
 import numpy as np
+from std_srvs.srv import SetBool, Trigger
+
 from lwr_description import DOF, JOINT_NAMES, Kinematics, Mount
+from lwr_sim_bridge.errors import SimulationError
+from lwr_sim_bridge.parameters import ArmParameters
+from lwr_sim_bridge.simulated_arm import TICK, SimulatedArm
 from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
 from srnn_msgs_py.health import Health, HealthLevel
@@ -18,11 +23,6 @@ from srnn_msgs_py.wrench import Wrench
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.rate import RateKeeper
 from srnn_node.run import run
-from std_srvs.srv import SetBool, Trigger
-
-from lwr_sim_bridge.errors import SimulationError
-from lwr_sim_bridge.parameters import ArmParameters
-from lwr_sim_bridge.simulated_arm import TICK, SimulatedArm
 
 PRIORITY = 50
 """SCHED_FIFO priority to ask for."""

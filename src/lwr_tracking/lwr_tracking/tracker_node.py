@@ -8,7 +8,13 @@ import time
 from typing import Any
 
 import numpy as np
+from std_srvs.srv import Trigger
+
 from lwr_description import JOINT_NAMES, Kinematics, Mount
+from lwr_tracking.core.failsafe import decide
+from lwr_tracking.core.parameters import TrackerParameters
+from lwr_tracking.core.refusal import Refusal
+from lwr_tracking.core.tracker import Tracker
 from srnn_config import Parameters
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health, HealthLevel
@@ -18,12 +24,6 @@ from srnn_msgs_py.segment import Segment
 from srnn_msgs_py.tip import TipPosition
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
-from std_srvs.srv import Trigger
-
-from lwr_tracking.core.failsafe import decide
-from lwr_tracking.core.parameters import TrackerParameters
-from lwr_tracking.core.refusal import Refusal
-from lwr_tracking.core.tracker import Tracker
 
 PRIORITY = 49
 """SCHED_FIFO priority to ask for."""

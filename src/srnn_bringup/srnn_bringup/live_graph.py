@@ -97,14 +97,27 @@ class LiveGraph:
             client.change('activate', self.pump, ACTIVATE_S)
             self._active.append(client)
 
+    def restart(self, name: str) -> None:
+        """Start a node that has ended anew; it goes through its lifecycle by itself.
+
+        Its services cannot be used for that: for a while a request may still go to the
+        process that has died.
+
+        Raises:
+            NodeDiedError: it cannot be started.
+
+        """
+        description = self._descriptions[self.names.index(name)]
+        self._supervisor.start(command(description, self._files[name], autostart=True))
+
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
-        files = write_parameters(self._descriptions, directory)
+        self._files = write_parameters(self._descriptions, directory)
         self._say(f'starting {", ".join(self.names)}')
         # Before this process has the threads of the middleware, it may fork safely.
         self._supervisor = stack.enter_context(Supervisor(directory))
         for description in self._descriptions:
-            self._supervisor.start(command(description, files[description.name]))
+            self._supervisor.start(command(description, self._files[description.name]))
         os.environ.update(graph_environment(os.environ))
         rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
         stack.callback(rclpy.try_shutdown)
@@ -140,11 +153,16 @@ class LiveGraph:
         return last_error(self._supervisor.last_lines(name, count=1000))
 
 
-def command(description: NodeDescription, parameters: Path) -> Command:
+def command(
+    description: NodeDescription, parameters: Path, autostart: bool = False
+) -> Command:
     """Return the process of a node with its parameter file."""
+    arguments = ('--ros-args', '--params-file', str(parameters))
+    if autostart:
+        arguments += ('-p', 'autostart:=true')
     return Command(
         description.name,
-        (sys.executable, '-m', description.module, '--ros-args', '--params-file', str(parameters)),
+        (sys.executable, '-m', description.module, *arguments),
         node_environment(os.environ, description.real_time),
     )
 

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.patches import Circle, Polygon
+from matplotlib.ticker import MultipleLocator
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,14 +22,23 @@ from srnn_config.scene import EDGE, Scene
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synaptic_change import input_change, output_change
 
-SIZE = (12.0, 7.6)
+SIZE = (12.0, 8.2)
 """Width and height [inch]."""
+
+LEFT, RIGHT, BAR, STRIP = (
+    (0.06, 0.345, 0.405, 0.5927), (0.495, 0.345, 0.405, 0.5927),
+    (0.912, 0.345, 0.012, 0.5927), (0.06, 0.075, 0.84, 0.12),
+)  # fmt: skip
+"""Left, bottom, width and height of the parts, as shares of the figure."""
+
+CAPTION = 0.278
+"""Height of the line under the two maps, as a share of the figure."""
 
 DPI = 150
 
 BEFORE, AFTER, TOUCH, INK = '#e08e45', '#1f6f8b', '#c1121f', '#2b2d42'
-OBSTACLE, REACH = '#8d99ae', '#adb5bd'
-NEURON_AREA = 170.0
+OBSTACLE, REACH, NEURON = '#8d99ae', '#adb5bd', '#6c757d'
+NEURON_AREA = 130.0
 """Area of the neuron whose output changed most [square points]."""
 
 _STYLE: Any = {
@@ -69,21 +79,29 @@ class Story:
 def draw(story: Story, path: Path) -> None:
     """Draw the picture of a run into a file; its suffix selects the format."""
     with rc_context(_STYLE):
-        figure = Figure(figsize=SIZE, dpi=DPI, layout='constrained')
-        grid = figure.add_gridspec(2, 2, height_ratios=[4.6, 1.0])
-        left = figure.add_subplot(grid[0, 0])
-        right = figure.add_subplot(grid[0, 1], sharex=left, sharey=left)
+        figure = Figure(figsize=SIZE, dpi=DPI)
+        left, right = figure.add_axes(LEFT), figure.add_axes(RIGHT)
         _draw_paths(left, story)
+        figure.legend(
+            *left.get_legend_handles_labels(), loc='center', ncols=3, frameon=False,
+            bbox_to_anchor=(LEFT[0] + LEFT[2] / 2, CAPTION), handlelength=1.4, columnspacing=1.3,
+        )  # fmt: skip
         image = _draw_change(right, story)
-        figure.colorbar(image, ax=right, shrink=0.9, label='average change of synaptic input')
-        _draw_signal(figure.add_subplot(grid[1, :]), story)
+        figure.colorbar(
+            image, cax=figure.add_axes(BAR), label='average change of synaptic input'
+        )
+        figure.text(
+            RIGHT[0] + RIGHT[2] / 2, CAPTION, 'circles: neurons, larger where output has changed',
+            ha='center', va='center',
+        )  # fmt: skip
+        _draw_signal(figure.add_axes(STRIP), story)
         figure.savefig(path)
 
 
 def _draw_paths(axes: Axes, story: Story) -> None:
     last = story.learned_until
     labels = {
-        BEFORE: f'until the last update (segments 1 to {last})', AFTER: 'from then on'
+        BEFORE: f'segments 1 to {last}, learning', AFTER: 'after learning'
     } if last else {AFTER: 'path of the tip'}  # fmt: skip
     for record in story.records:
         colour = BEFORE if record.number <= last else AFTER
@@ -99,12 +117,7 @@ def _draw_paths(axes: Axes, story: Story) -> None:
         )  # fmt: skip
     _draw_obstacles(axes, story.scene, OBSTACLE)
     _draw_waypoints(axes, story.scene)
-    axes.set_title('The way round, learned by touch')
-    if story.records:
-        axes.legend(
-            loc='upper center', bbox_to_anchor=(0.5, -0.13), ncols=3, frameon=False,
-            fontsize=11, handlelength=1.6, columnspacing=1.4,
-        )  # fmt: skip
+    axes.set_title('The way round, learned by touch' if last else 'Path of the tip')
     _frame(axes, story)
 
 
@@ -128,16 +141,16 @@ def _draw_change(axes: Axes, story: Story) -> AxesImage:
     edge = extent * side / (side - 1)
     image = axes.imshow(
         received.reshape(side, side).T, origin='lower', extent=(-edge, edge, -edge, edge),
-        cmap='RdBu_r', vmin=-limit, vmax=limit, interpolation='bicubic',
+        cmap='RdBu_r', vmin=-limit, vmax=limit, interpolation='hermite',
     )  # fmt: skip
     area = 4.0 + NEURON_AREA * sent / (float(sent.max()) or 1.0)
     neurons = extent * StateNeurons(network).positions
     x, y = neurons.T
-    axes.scatter(x, y, s=area, color='white', ec=INK, lw=0.7, alpha=0.85, zorder=4)
+    axes.scatter(x, y, s=area, color='white', ec=NEURON, lw=0.8, alpha=0.9, zorder=4)
     _draw_obstacles(axes, story.scene, 'none')
-    axes.set_title('What the network has learned to avoid')
-    axes.set_xlabel('size of a neuron: average change of what it sends')
+    axes.set_title('What has changed in the network')
     _frame(axes, story)
+    axes.tick_params(labelleft=False)
     return image
 
 
@@ -156,7 +169,7 @@ def _draw_signal(axes: Axes, story: Story) -> None:
     axes.set_xlim(0.0, max(count, 10) + 1)
     axes.set_ylim(0.0, 1.15 * max(float(np.max(peaks, initial=0.0)), 0.05))
     axes.set_xlabel('segment')
-    axes.set_ylabel('learning\nsignal')
+    axes.set_title('learning signal', loc='left', fontsize=12)
     axes.spines[['top', 'right']].set_visible(False)
 
 
@@ -174,9 +187,6 @@ def _frame(axes: Axes, story: Story) -> None:
     axes.set_xlim(centre[0] - half, centre[0] + half)
     axes.set_ylim(centre[1] - half, centre[1] + half)
     axes.set_aspect('equal')
-    axes.set_xticks(_ticks(axes.get_xlim()), labels=[f'{v:.1f}' for v in _ticks(axes.get_xlim())])
-    axes.set_yticks(_ticks(axes.get_ylim()), labels=[f'{v:.1f}' for v in _ticks(axes.get_ylim())])
-
-
-def _ticks(limits: tuple[float, float]) -> list[float]:
-    return [v / 10.0 for v in range(-3, 4) if limits[0] <= v / 10.0 <= limits[1]]
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MultipleLocator(0.1))
+        axis.set_major_formatter('{x:.1f} m')

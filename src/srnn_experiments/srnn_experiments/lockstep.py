@@ -4,6 +4,7 @@
 from dataclasses import dataclass, field
 
 import numpy as np
+
 from lwr_description import Kinematics, Mount
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.simulated_arm import SimulatedArm

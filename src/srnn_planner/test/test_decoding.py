@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+
 from srnn_planner.core.decoding import decode, spike_activity, window
 from srnn_planner.core.encoding import NO_SPIKE
 from srnn_planner.core.parameters import NetworkParameters

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Spike encoding against its closed form and its stated statistics."""
 
-from hypothesis import given, strategies as st
+from hypothesis import given
+from hypothesis import strategies as st
 import numpy as np
 import pytest
 from scipy import stats
+
 from srnn_planner.core.encoding import (
     NO_SPIKE,
     draw_history,

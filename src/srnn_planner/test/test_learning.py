@@ -3,9 +3,11 @@
 
 from dataclasses import replace
 
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, settings
+from hypothesis import strategies as st
 import numpy as np
 import pytest
+
 from srnn_planner.core import plasticity, plasticity_kernel
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.dissonance import SIGNALS, compare, learning_signal

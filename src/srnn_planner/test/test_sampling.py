@@ -3,10 +3,12 @@
 
 from dataclasses import replace
 
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, settings
+from hypothesis import strategies as st
 import numpy as np
 import pytest
 from scipy import stats
+
 from srnn_planner.core.context import ContextPopulation, way_point_population
 from srnn_planner.core.decoding import spike_activity
 from srnn_planner.core.encoding import NO_SPIKE, draw_history, spike_probability

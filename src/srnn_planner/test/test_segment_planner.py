@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.parameters import ModelParameters, NetworkParameters, PlanningParameters
 from srnn_planner.core.planner import PlanRequest, SegmentPlanner

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sample rejection: one movement is averaged, never two ways round an obstacle."""
 
-from hypothesis import given, strategies as st
+from hypothesis import given
+from hypothesis import strategies as st
 import numpy as np
 import pytest
+
 from srnn_config import ParameterError
 from srnn_planner.core.parameters import SelectionParameters
 from srnn_planner.core.selection import mode_seeking, pairwise_angles, select, three_sigma

@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_planner.core.parameters import PlanningParameters
 from srnn_planner.core.sequencer import LOST_AFTER, RETRY, Sequencer
@@ -16,7 +17,7 @@ TOUR = np.array([[0.5, 0.0], [-0.5, 0.0]])
 
 
 def straight(start=HERE, length=0.1, velocity=(0.0, 0.0)):
-    path = np.linspace(start, start + [length, 0.0], 30)
+    path = np.linspace(start, start + np.array([length, 0.0]), 30)
     return time_path(path, Motion(start, np.array(velocity)), 0.1, PLANNING.trajectory)
 
 
@@ -61,9 +62,9 @@ def test_measured_deviation_moves_the_start_of_sampling(sequencer):
     sequencer.sent(1, first, 0.01, now=0.0)
     due = sequencer.wake_time()
     reference = [np.interp(due, first.times, c) for c in first.positions.T]
-    sequencer.tip(np.array(reference) + [0.0, 0.004])
+    sequencer.tip(np.add(reference, [0.0, 0.004]))
     request = sequencer.request(due)
-    assert request.measured == pytest.approx(first.end.position + [0.0, 0.004])
+    assert request.measured == pytest.approx(np.add(first.end.position, [0.0, 0.004]))
 
 
 def test_one_segment_waits_at_most_and_starts_when_the_running_one_ends(sequencer):

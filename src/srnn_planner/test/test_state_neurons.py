@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+
 from srnn_config import ParameterError
 from srnn_planner.core.errors import SrnnError, WeightsError
 from srnn_planner.core.parameters import NetworkParameters

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Way points in turn, and planning as late as possible."""
 
-from hypothesis import given, strategies as st
+from hypothesis import given
+from hypothesis import strategies as st
 import numpy as np
 import pytest
+
 from srnn_planner.core.errors import SrnnError, TaskError
 from srnn_planner.core.parameters import ScheduleParameters
 from srnn_planner.core.schedule import PlanningSchedule

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Segments in time: exact joints, consistent derivatives, limits, closed-form durations."""
 
-from hypothesis import given, strategies as st
+from hypothesis import given
+from hypothesis import strategies as st
 import numpy as np
 import pytest
+
 from srnn_planner.core.curve import fit
 from srnn_planner.core.parameters import TrajectoryParameters
 from srnn_planner.core.retreat import Trail, at_rest, back_off

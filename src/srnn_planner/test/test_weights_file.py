@@ -5,6 +5,7 @@ import os
 
 import numpy as np
 import pytest
+
 from srnn_msgs_py.segment import ExecutedPath, Segment
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core import weights_file

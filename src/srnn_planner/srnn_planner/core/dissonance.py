@@ -83,7 +83,8 @@ class ConstantSignal(AbstractSignal):
 
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
         """Return alpha (T, K): the rate or zero."""
-        return _every_neuron(self._p.rate * (self._global(mismatch) > 0.0), mismatch)
+        alpha = np.where(self._global(mismatch) > 0.0, self._p.rate, 0.0)
+        return _every_neuron(alpha, mismatch)
 
 
 class UntriggeredSignal(AbstractSignal):

@@ -4,7 +4,6 @@
 from dataclasses import dataclass, field
 
 from srnn_config import Parameters, parameter
-
 from srnn_planner.core.workspace import Workspace
 
 

@@ -15,13 +15,13 @@ def replay(
     tau: int,
 ) -> NDArray[np.float32]:
     """Learn R encodings of one experience; see `plasticity.replay`."""
-    return _replay(  # type: ignore[no-any-return]
+    return _replay(
         weights, experience.executed, experience.mental, experience.rates, uniforms, tau
     )
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
-def _replay(weights, executed, mental, rates, uniforms, tau):  # type: ignore[no-untyped-def]
+@numba.njit(cache=True)
+def _replay(weights, executed, mental, rates, uniforms, tau):
     replays, _, steps, neurons = uniforms.shape
     updated = weights.astype(np.float64)
     executed_last = np.empty(neurons, dtype=np.int64)

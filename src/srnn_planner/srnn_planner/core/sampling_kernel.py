@@ -30,7 +30,7 @@ def sample_activity(
             positions of the neurons that spiked and, last, their number.
 
     """
-    return _sample(  # type: ignore[no-any-return]
+    return _sample(
         given.weights,
         given.context.weights,
         given.context.spike_probability,
@@ -46,11 +46,11 @@ def sample_activity(
     )
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
+@numba.njit(cache=True)
 def _sample(
     weights, theta, context_probability, history, uniforms, context_uniforms, positions,
     tau, slope, threshold, limit, absolute,
-):  # type: ignore[no-untyped-def]
+):
     samples, steps, neurons = uniforms.shape
     context_neurons = theta.shape[0]
     dimensions = positions.shape[1]
@@ -99,16 +99,16 @@ def _sample(
     return spikes, activity
 
 
-@numba.njit(cache=True, inline='always')  # type: ignore[untyped-decorator]
-def _count(activity, s, step, positions, k):  # type: ignore[no-untyped-def]
+@numba.njit(cache=True, inline='always')
+def _count(activity, s, step, positions, k):
     dimensions = positions.shape[1]
     for j in range(dimensions):
         activity[s, step, j] += positions[k, j]
     activity[s, step, dimensions] += 1.0
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
-def _begin(s, history, weights, positions, tau, u, last, activity):  # type: ignore[no-untyped-def]
+@numba.njit(cache=True)
+def _begin(s, history, weights, positions, tau, u, last, activity):
     neurons = len(u)
     u[:] = 0.0
     for k in range(neurons):
@@ -119,8 +119,8 @@ def _begin(s, history, weights, positions, tau, u, last, activity):  # type: ign
                 u[i] += weights[k, i]
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
-def _advance_potentials(t, tau, weights, u, last, begun, begun_count):  # type: ignore[no-untyped-def]
+@numba.njit(cache=True)
+def _advance_potentials(t, tau, weights, u, last, begun, begun_count):
     neurons = len(u)
     for n in range(begun_count):
         k = begun[n]
@@ -132,8 +132,8 @@ def _advance_potentials(t, tau, weights, u, last, begun, begun_count):  # type: 
                 u[i] -= weights[k, i]
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
-def _advance_context(  # type: ignore[no-untyped-def]
+@numba.njit(cache=True)
+def _advance_context(
     t, tau, s, theta, probability, uniforms, u, context_last
 ):
     """Change of y~ from t - 1 to t: spikes of t - 1 begin, those of t - tau - 1 end."""

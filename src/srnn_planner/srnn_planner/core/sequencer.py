@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from srnn_msgs_py.result import ResultCode, SegmentResult
 
+from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_planner.core.parameters import PlanningParameters
 from srnn_planner.core.planner import PlanRequest
 from srnn_planner.core.retreat import Trail, at_rest
@@ -160,13 +160,11 @@ class Sequencer:
 
     def _onward(self, running: Flight, now: float) -> PlanRequest:
         assert self._tip is not None
-        end = running.trajectory.end
-        elapsed = now - running.start
-        reference = np.array(
-            [np.interp(elapsed, running.trajectory.times, c) for c in running.trajectory.positions.T]
-        )
+        plan, elapsed = running.trajectory, now - running.start
+        end = plan.end
+        columns = [np.interp(elapsed, plan.times, column) for column in plan.positions.T]
         ahead = self.task.after(self._workspace.to_units(end.position))
-        measured = end.position + self._tip - reference
+        measured = end.position + self._tip - np.array(columns)
         return PlanRequest(measured, end, ahead.target, self._velocity)
 
     def _flight(self, stamp_ns: int) -> Flight | None:

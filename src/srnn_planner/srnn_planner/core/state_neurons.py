@@ -54,8 +54,8 @@ class StateNeurons:
         directions (Tanneberg et al. 2019, "Online Adaptation of the Recurrent Layer").
         """
         p = self.parameters
-        weights = np.clip(p.weight_gain * self.basis(self.positions) - p.weight_offset, -1.0, 1.0)
-        weights = weights.astype(np.float32)
+        gaussian = p.weight_gain * self.basis(self.positions)
+        weights = np.clip(gaussian - p.weight_offset, -1.0, 1.0).astype(np.float32)
         weights.flags.writeable = False
         return weights
 

@@ -8,8 +8,8 @@ import tempfile
 import zipfile
 
 import numpy as np
-from srnn_msgs_py.weights import WeightsUpdate
 
+from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core.errors import WeightsError, WeightsFileError
 
 MAX_FILE_BYTES = 1 << 30

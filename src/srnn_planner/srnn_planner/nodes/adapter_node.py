@@ -6,16 +6,17 @@ from dataclasses import dataclass, field
 import time
 
 import numpy as np
+from std_srvs.srv import Trigger
+
 from srnn_config import Parameters, parameter
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health
-from srnn_msgs_py.ros import belief, dissonance, executed, path as path_msg, segment, weights
+from srnn_msgs_py.ros import belief, dissonance, executed, segment, weights
+from srnn_msgs_py.ros import path as path_msg
 from srnn_msgs_py.segment import ExecutedPath, Segment
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
-from std_srvs.srv import Trigger
-
 from srnn_planner.core import weights_file
 from srnn_planner.core.adapter import Learner, Lesson
 from srnn_planner.core.errors import PairingError, SrnnError

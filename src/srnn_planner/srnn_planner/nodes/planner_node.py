@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass, field
 import time
 
 import numpy as np
+
 from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
 from srnn_msgs_py.dissonance import Dissonance
@@ -27,7 +28,6 @@ from srnn_msgs_py.waypoints import Waypoints
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
-
 from srnn_planner.core.errors import SrnnError
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 from srnn_planner.core.planner import SegmentPlanner

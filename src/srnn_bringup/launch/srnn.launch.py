@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The graph of `srnn up` for a machine with ROS 2: ros2 launch srnn_bringup srnn.launch.py."""
+
+from pathlib import Path
+import tempfile
+
+from launch import LaunchContext, LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import LifecycleNode
+
+from srnn_bringup.config import STANDARD_SCENE, Choices, load
+from srnn_bringup.graph import describe, write_parameters
+from srnn_planner.core.dissonance import SIGNALS
+
+ARGUMENTS = {
+    'arm': ('sim', ['sim'], 'arm to move'),
+    'scene': (STANDARD_SCENE, None, 'name of a scene in config/scenes, or path of a scene file'),
+    'signal': ('', ['', *SIGNALS], 'learning signal; empty for the one of network.yaml'),
+    'seed': ('0', None, 'seed of all random numbers'),
+}
+"""Default, choices and meaning of every argument."""
+
+
+def generate_launch_description() -> LaunchDescription:
+    """Return the arguments, and the nodes that follow from them."""
+    arguments = [
+        DeclareLaunchArgument(name, default_value=value, choices=choices, description=text)
+        for name, (value, choices, text) in ARGUMENTS.items()
+    ]
+    return LaunchDescription([*arguments, OpaqueFunction(function=launch_nodes)])
+
+
+def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
+    """Check the configuration, then return the nodes; each brings itself up."""
+    given = {name: LaunchConfiguration(name).perform(context) for name in ARGUMENTS}
+    choices = Choices(
+        scene=given['scene'], signal=given['signal'] or None, seed=int(given['seed'])
+    )
+    nodes = describe(load(choices))
+    # The files outlive this function: the nodes read them when they start.
+    files = write_parameters(nodes, Path(tempfile.mkdtemp(prefix='srnn_')), autostart=True)
+    return [
+        LifecycleNode(
+            name=node.name,
+            namespace='',
+            package=node.package,
+            executable=node.executable,
+            parameters=[str(files[node.name])],
+            output='screen',
+        )
+        for node in nodes
+    ]

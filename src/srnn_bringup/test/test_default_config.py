@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+import pytest
+import yaml
+
+from srnn_bringup.config import FILES, config_directory
+from srnn_bringup.default_config import WIDTH, render, write
+from srnn_config import build, read_yaml, to_mapping
+from srnn_node.parameters import leaves
+
+
+@pytest.mark.parametrize('name', FILES)
+def test_files_of_the_project_state_every_key_with_its_default_and_meaning(name):
+    """Else run ``python -m srnn_bringup.default_config config``."""
+    assert (config_directory() / name).read_text(encoding='utf-8') == render(FILES[name]())
+
+
+@pytest.mark.parametrize('name', FILES)
+def test_what_is_written_reads_back_equal_with_equal_types(name, tmp_path):
+    write(tmp_path)
+    cls = FILES[name]
+    data = read_yaml(tmp_path / name)
+    assert data == to_mapping(cls())
+    assert build(cls, data, name) == cls()
+    assert yaml.safe_dump(data) == yaml.safe_dump(to_mapping(cls()))
+
+
+@pytest.mark.parametrize('name', FILES)
+def test_every_parameter_is_explained_with_its_unit(name):
+    text = ' '.join(render(FILES[name]()).replace('#', ' ').split())
+    for leaf in leaves(FILES[name]):
+        assert ' '.join(leaf.spec.doc.split()) in text
+        assert leaf.spec.unit in text
+
+
+@pytest.mark.parametrize('name', FILES)
+def test_no_line_is_too_long_to_read(name):
+    assert max(map(len, render(FILES[name]()).splitlines())) <= WIDTH

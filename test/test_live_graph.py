@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The running graph: it is what the README says, and it survives the loss of its planner."""
+
+from collections.abc import Callable, Iterator
+import os
+from pathlib import Path
+import signal
+import time
+
+import numpy as np
+import pytest
+from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+import yaml
+
+from srnn_bringup.config import Choices, load
+from srnn_bringup.live_graph import LiveGraph
+from srnn_msgs_py.result import ResultCode, SegmentResult
+from srnn_msgs_py.ros import pose, result, segment
+from srnn_msgs_py.ros.message_type import message_type
+from srnn_msgs_py.ros.qos import profile
+from srnn_msgs_py.segment import Segment
+from srnn_msgs_py.topics import NODES, TOPICS, markdown_table, topic
+from srnn_node.signals import StopRequest
+
+ROOT = Path(__file__).parents[1]
+PATIENCE_S = 30.0
+
+
+class Watched:
+    """A live graph and what is heard from it."""
+
+    def __init__(self, graph: LiveGraph) -> None:
+        self.graph = graph
+        self.pump = graph.pump.unguarded()
+        self.segments: list[Segment] = []
+        self.results: list[SegmentResult] = []
+        self.poses: list[tuple[float, np.ndarray]] = []
+        self._listen('segment', segment.from_msg, self.segments.append)
+        self._listen('segment_result', result.from_msg, self.results.append)
+        self._listen('current_pose', pose.from_msg, self._on_pose)
+
+    def until(self, condition: Callable[[], object]) -> None:
+        assert self.pump.until(condition, PATIENCE_S), 'waited in vain'
+
+    def spin(self, seconds: float) -> None:
+        self.pump.until(lambda: False, seconds)
+
+    def done(self) -> list[int]:
+        return [r.stamp_ns for r in self.results if r.code is ResultCode.DONE]
+
+    def kill(self, name: str) -> None:
+        os.kill(self.graph.pids[name], signal.SIGKILL)
+
+    def _on_pose(self, tip):
+        self.poses.append((time.monotonic(), tip.position))
+
+    def _listen(self, name, read, take):
+        row = topic(name)
+        self.graph.node.create_subscription(
+            message_type(row.type_name), row.name, lambda msg: take(read(msg)), profile(row.qos)
+        )
+
+
+@pytest.fixture
+def watched(tmp_path: Path) -> Iterator[Watched]:
+    scene = yaml.safe_load((ROOT / 'config/scenes/four_waypoints.yaml').read_text())
+    scene['obstacles'] = []
+    path = tmp_path / 'free.yaml'
+    path.write_text(yaml.safe_dump(scene))
+    configuration = load(Choices(scene=str(path), seed=1))
+    with StopRequest() as stop, LiveGraph(configuration, stop, lambda _: None) as graph:
+        value = Watched(graph)
+        graph.configure()
+        graph.activate()
+        value.until(lambda: len(value.done()) >= 2)
+        yield value
+
+
+def ends(infos) -> set[str]:
+    return {info.node_name for info in infos if info.node_name in NODES}
+
+
+def test_graph_is_the_table_of_the_readme(watched):
+    assert markdown_table() in (ROOT / 'README.md').read_text(encoding='utf-8')
+    node = watched.graph.node
+    watched.spin(1.0)
+    for row in TOPICS:
+        name = row.name if row.name.startswith('/') else f'/{row.name}'
+        publishers = node.get_publishers_info_by_topic(name)
+        subscribers = node.get_subscriptions_info_by_topic(name)
+        assert ends(publishers) == set(row.publishers) & set(NODES), name
+        assert ends(subscribers) == set(row.subscribers) & set(NODES), name
+        for info in (*publishers, *subscribers):
+            if info.node_name not in NODES:
+                continue
+            reliable = info.qos_profile.reliability == ReliabilityPolicy.RELIABLE
+            latched = info.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
+            assert info.topic_type == row.type_name, name
+            assert (reliable, latched) == (row.qos.reliable, row.qos.latched), name
+
+
+def test_no_other_topics_than_those_of_the_table(watched):
+    known = {row.name if row.name.startswith('/') else f'/{row.name}' for row in TOPICS}
+    of_every_node = ('/rosout', '/parameter_events')
+    for name, _ in watched.graph.node.get_topic_names_and_types():
+        if name not in of_every_node and not name.endswith('/transition_event'):
+            assert name in known
+
+
+def test_arm_comes_to_rest_on_the_path_when_the_planner_is_killed_and_goes_on_with_a_new_one(
+    watched,
+):
+    watched.kill('planner')
+    killed = time.monotonic()
+    accepted = {s.stamp_ns: s for s in watched.segments}
+    watched.until(lambda: accepted and set(accepted) <= {r.stamp_ns for r in watched.results})
+    watched.spin(0.5)
+    tail = np.array([p for t, p in watched.poses if t > watched.poses[-1][0] - 0.3])
+    last = watched.segments[-1].positions[-1]
+    assert np.ptp(tail, axis=0).max() < 0.0005
+    assert np.linalg.norm(tail[-1, :2] - last) < 0.003
+    moved = np.array([p[:2] for t, p in watched.poses if t > killed])
+    planned = np.vstack([s.positions for s in watched.segments[-3:]])
+    off = np.linalg.norm(moved[:, None] - planned[None], axis=2).min(axis=1)
+    assert off.max() < 0.005
+
+    known = {s.stamp_ns for s in watched.segments}
+    began = time.monotonic()
+    watched.graph.restart('planner')
+    new = lambda: [stamp for stamp in watched.done() if stamp not in known]  # noqa: E731
+    watched.until(lambda: len(new()) >= 2)
+    accepted_after = 1e-9 * new()[0] - time.time() + time.monotonic() - began
+    print(f'planner killed: the first segment of its successor came after {accepted_after:.2f} s')
+
+
+def test_motion_goes_on_undisturbed_when_the_adapter_is_killed(watched):
+    watched.kill('adapter')
+    before = len(watched.done())
+    watched.until(lambda: len(watched.done()) >= before + 4)
+    assert all(r.code is ResultCode.DONE for r in watched.results)
+    chained = [s for s in watched.segments if s.stamp_ns in watched.done()[1:]]
+    assert all(np.linalg.norm(s.velocities[0]) > 0.0 for s in chained[1:])
