@@ -6,7 +6,7 @@ import dataclasses
 from itertools import pairwise
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+from spline import Spline
 
 from srnn_msgs_py.segment import Segment
 
@@ -60,21 +60,21 @@ def replaced(segment: Segment, **changes: object) -> Segment:
     return dataclasses.replace(segment, **changes)
 
 
-def _by_arc_length(points: np.ndarray) -> CubicSpline:
+def _by_arc_length(points: np.ndarray) -> Spline:
     if len(points) == 2:
-        return CubicSpline([0.0, float(np.linalg.norm(points[1] - points[0]))], points)
+        return Spline([0.0, float(np.linalg.norm(points[1] - points[0]))], points)
     closed = bool(np.all(points[0] == points[-1]))
     chord = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
-    curve = CubicSpline(chord, points, bc_type='periodic' if closed else 'natural')
+    curve = Spline(chord, points, periodic=closed)
     fine = np.linspace(0.0, chord[-1], 1000 * len(points))
     steps = np.linalg.norm(np.diff(curve(fine), axis=0), axis=1)
     arc = np.append(0.0, np.cumsum(steps))
     even = np.linspace(0.0, arc[-1], 100 * len(points))
-    return CubicSpline(even, curve(np.interp(even, arc, fine)))
+    return Spline(even, curve(np.interp(even, arc, fine)))
 
 
 def _segment(
-    along: CubicSpline, speed: float, total: float, stop: bool, time: np.ndarray, stamp_ns: int
+    along: Spline, speed: float, total: float, stop: bool, time: np.ndarray, stamp_ns: int
 ) -> Segment:
     s, v, a = _ramped(time, speed)
     if stop:

@@ -4,11 +4,13 @@
 import argparse
 from collections.abc import Sequence
 import difflib
+import os
 from pathlib import Path
 import sys
 from typing import NoReturn
 
 from srnn_bringup.config import SEED_MAX, STANDARD_SCENE, Choices, Configuration, load
+from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
 from srnn_bringup.options import existing_file, new_file, picture_file, rate, whole
 from srnn_config import ConfigError
@@ -130,6 +132,7 @@ def _add_demo(parser: Parser) -> None:
 
 
 def _configuration(options: argparse.Namespace) -> Configuration:
+    check_environment(os.environ)
     return load(
         Choices(
             scene=options.scene,

@@ -22,7 +22,7 @@ SHARED_MEMORY_MIB = 32
 """Every process of the graph takes about half a MiB; less than this is asking for trouble."""
 
 NEEDED = (
-    'numpy', 'numba', 'scipy', 'mujoco', 'yaml', 'matplotlib', 'rclpy', 'lifecycle_msgs',
+    'numpy', 'numba', 'mujoco', 'yaml', 'matplotlib', 'rclpy', 'lifecycle_msgs',
     'std_msgs', 'std_srvs', 'geometry_msgs', 'nav_msgs', 'sensor_msgs', 'trajectory_msgs',
     'visualization_msgs', 'diagnostic_msgs', 'srnn_config', 'srnn_msgs_py', 'srnn_node',
     'srnn_planner', 'lwr_description', 'lwr_tracking', 'lwr_sim_bridge',

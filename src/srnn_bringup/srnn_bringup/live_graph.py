@@ -18,10 +18,10 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from srnn_bringup.config import Configuration
-from srnn_bringup.environment import graph_environment, node_environment
-from srnn_bringup.errors import BringupError, Interrupted, NodeDiedError
+from srnn_bringup.environment import DOMAIN_ID, graph_environment, node_environment
+from srnn_bringup.errors import BringupError, ChoiceError, Interrupted, NodeDiedError
 from srnn_bringup.graph import NodeDescription, describe, write_parameters
-from srnn_bringup.lifecycle_client import LifecycleClient
+from srnn_bringup.lifecycle_client import DISCOVERY_S, LifecycleClient
 from srnn_bringup.pump import Pump
 from srnn_bringup.supervisor import Command, Supervisor
 from srnn_node.signals import StopRequest
@@ -85,8 +85,16 @@ class LiveGraph:
         return self._supervisor.pids
 
     def configure(self) -> None:
-        """Configure every node; nothing moves yet."""
+        """Configure every node; nothing moves yet.
+
+        Raises:
+            ChoiceError: the domain already has such a graph.
+            BringupError: a node is not there, or refuses.
+
+        """
+        self.pump.until(lambda: set(self.names) <= set(self.node.get_node_names()), DISCOVERY_S)
         for client in self._clients:
+            self._refuse_namesakes()
             self._say(f'configuring {client.name}')
             client.change('configure', self.pump, CONFIGURE_S)
 
@@ -109,6 +117,16 @@ class LiveGraph:
         """
         description = self._descriptions[self.names.index(name)]
         self._supervisor.start(command(description, self._files[name], autostart=True))
+
+    def _refuse_namesakes(self) -> None:
+        seen = self.node.get_node_names_and_namespaces()
+        twice = [name for name in self.names if seen.count((name, '/')) > 1]
+        if twice:
+            domain = os.environ.get(DOMAIN_ID) or '0'
+            raise ChoiceError(
+                f'{DOMAIN_ID} = {domain}: another {", ".join(twice)} runs there; '
+                f'stop it, or choose another domain'
+            )
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
@@ -157,7 +175,7 @@ def command(
     description: NodeDescription, parameters: Path, autostart: bool = False
 ) -> Command:
     """Return the process of a node with its parameter file."""
-    arguments = ('--ros-args', '--params-file', str(parameters))
+    arguments: tuple[str, ...] = ('--ros-args', '--params-file', str(parameters))
     if autostart:
         arguments += ('-p', 'autostart:=true')
     return Command(

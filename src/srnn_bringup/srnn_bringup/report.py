@@ -49,7 +49,10 @@ def write_report(
     if outputs.weights is not None and recorder.last_weights is not None:
         weights_file.save(outputs.weights, recorder.last_weights)
         say(f'weights: {outputs.weights}')
-    if outputs.picture is not None and recorder.records:
+    if not recorder.records:
+        say('no segment was executed')
+        return
+    if outputs.picture is not None:
         _draw(configuration, recorder, run, outputs.picture)
         say(f'picture: {outputs.picture}')
     for line in closing_lines(report['trials'][0], run.blocked):

@@ -3,7 +3,8 @@ from dataclasses import replace
 from pathlib import Path
 import shutil
 
-from hypothesis import given, strategies as st
+from hypothesis import given
+from hypothesis import strategies as st
 import numpy as np
 import pytest
 import yaml

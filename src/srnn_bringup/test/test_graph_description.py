@@ -19,8 +19,8 @@ def nodes():
 
 def test_the_arm_comes_up_first_and_the_planner_last(nodes):
     assert set(nodes) == set(NODES)
-    assert list(nodes)[0] == 'sim_bridge'
-    assert list(nodes)[-1] == 'planner'
+    first, *_, last = nodes
+    assert (first, last) == ('sim_bridge', 'planner')
 
 
 def test_only_nodes_that_move_the_arm_are_real_time(nodes):

@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Keeps the garbage collector out of control loops.
 
-A full collection with scipy and numba loaded stops a process for 75 ms. What is
-alive when a node becomes active stays alive anyway.
+A full collection with numba loaded stops a process for 75 ms. What is alive when a
+node becomes active stays alive anyway, so it need not be looked at either.
 """
 
 import gc
 
 
 def freeze() -> None:
-    """Collect once, take everything alive out of later collections, and stop collecting."""
-    gc.collect()
+    """Take everything there is out of later collections, and stop collecting."""
     gc.freeze()
     gc.disable()
 

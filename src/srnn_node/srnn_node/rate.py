@@ -57,10 +57,19 @@ class RateKeeper:
             return False
         if late > self.period:
             self.overruns += 1
-            excess = int(late / self.period) + 1 - self._catch_up
+            excess = self._latest_due(now) - self._next + 1 - self._catch_up
             if excess > 0:
                 self.skipped += excess
                 self._next += excess
         self.taken += 1
         self._next += 1
         return True
+
+    def _latest_due(self, now: float) -> int:
+        """Return the number of the last tick that is due, exact in spite of rounding."""
+        latest = int((now - self._start) / self.period)
+        while self._start + (latest + 1) * self.period <= now:
+            latest += 1
+        while self._start + latest * self.period > now:
+            latest -= 1
+        return latest

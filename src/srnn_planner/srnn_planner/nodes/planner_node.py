@@ -57,14 +57,13 @@ class PlannerNode(WorkspaceNode):
         self._last_stamp = 0
 
     def configure(self, parameters: PlannerParameters) -> None:
-        """Load the scene, compile the kernels, connect the topics."""
+        """Load the scene, connect the topics, compile the kernels."""
         scene = load_scene(parameters.scene)
         self._workspace = parameters.model.workspace
         self._reach_radius = scene.task.reach_radius
         self._planner = SegmentPlanner(
             parameters.model, parameters.planning, np.random.default_rng([parameters.seed, 0])
         )
-        self._planner.warm_up()
         self._sequencer = Sequencer(
             self._task(np.array(scene.waypoints)),
             self._workspace, parameters.planning, scene.task.velocity,
@@ -79,6 +78,8 @@ class PlannerNode(WorkspaceNode):
         self.listen('dissonance', dissonance.from_msg, self._on_dissonance)
         self.listen('weights', weights.from_msg, self._on_weights)
         self.listen('waypoints', waypoints.from_msg, self._on_waypoints)
+        # Last, because meanwhile the middleware finds the other nodes.
+        self._planner.warm_up()
 
     def activate(self) -> None:
         """Begin with the arm as it is seen next."""

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+import pytest
+
+from srnn_bringup import cli
+from srnn_bringup.report import Outputs
+
+
+@pytest.mark.parametrize(
+    ('line', 'words'),
+    [
+        ('dmo', "'demo', 'up', 'doctor'"),
+        ('', 'COMMAND'),
+        ('demo --signl local', "did you mean '--signal'?"),
+        ('demo --signal locl', "'none', 'global', 'local', 'constant', 'untriggered'"),
+        ('demo --scene four_waypoint', "did you mean 'four_waypoints'?"),
+        ('demo --scene /nowhere.yaml', 'four_waypoints'),
+        ('demo --seed -1', 'a whole number from 0'),
+        ('demo --seed x', 'a whole number from 0'),
+        ('demo --segments 0', 'a whole number from 1'),
+        ('demo --alpha 0 --signal constant', '> 0 and <= 1'),
+        ('demo --alpha 0.1', 'constant and untriggered'),
+        ('demo --weights /nowhere.npz', 'no such file'),
+        ('demo --json /nowhere/demo.json', "no directory '/nowhere'"),
+        ('demo --json /', 'is a directory'),
+        ('demo --picture demo.txt', '.png, .pdf, .svg'),
+        ('demo --arm fri', "'sim'"),
+        ('demo now', "unknown argument 'now'"),
+        ('up --segments 3', "unknown argument '--segments'"),
+        ('doctor --all', "unknown argument '--all'"),
+    ],
+)
+def test_mistakes_get_one_line_that_helps_and_exit_code_2(line, words, capsys, monkeypatch):
+    monkeypatch.setattr('srnn_bringup.demo.run_demo', not_reached)
+    try:
+        code = cli.main(line.split())
+    except SystemExit as end:
+        code = end.code
+    error = capsys.readouterr().err
+    assert code == 2
+    assert error.count('\n') == 1
+    assert error.startswith('srnn')
+    assert words in error
+
+
+def not_reached(*_):
+    raise AssertionError('started in spite of a mistake')
+
+
+def test_weights_that_are_none_are_refused(tmp_path, capsys):
+    path = tmp_path / 'weights.npz'
+    path.write_text('no archive')
+    assert cli.main(['demo', '--weights', str(path)]) == 2
+    assert 'is no weight file' in capsys.readouterr().err
+
+
+def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):
+    path = tmp_path / 'scene.yaml'
+    path.write_text('name: mine\nwaypoints: [[0.0, 0.0]]\nvelocty: 0.1\n')
+    assert cli.main(['demo', '--scene', str(path)]) == 2
+    assert "did you mean 'velocity'?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize('command', [[], ['demo'], ['up'], ['doctor']])
+def test_help_explains_every_option(command, capsys):
+    with pytest.raises(SystemExit) as end:
+        cli.main([*command, '--help'])
+    assert end.value.code == 0
+    text = capsys.readouterr().out
+    assert text.startswith('usage: srnn')
+    assert 'ROS_DOMAIN_ID' in text or not command
+
+
+def test_options_reach_the_demo(tmp_path, monkeypatch):
+    calls = []
+    monkeypatch.setattr(
+        'srnn_bringup.demo.run_demo', lambda *arguments: calls.append(arguments) or 0
+    )
+    figures, picture = tmp_path / 'd.json', tmp_path / 'd.svg'
+    line = f'demo --signal global --segments 9 --seed 4 --json {figures} --picture {picture}'
+    assert cli.main(line.split()) == 0
+    ((configuration, segments, outputs),) = calls
+    assert (configuration.learning.signal, configuration.seed, segments) == ('global', 4, 9)
+    assert outputs == Outputs(picture=picture, json=figures)
+
+
+def test_exit_code_of_the_command_is_handed_on(monkeypatch):
+    monkeypatch.setattr('srnn_bringup.up.run_up', lambda configuration: 1)
+    assert cli.main(['up']) == 1

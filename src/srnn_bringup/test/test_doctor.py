@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+import pytest
+
+from srnn_bringup import doctor
+from srnn_bringup.doctor import Finding, Verdict, examine, run_doctor
+
+
+def findings(environ):
+    return {finding.subject: finding for finding in examine(environ)}
+
+
+def test_nothing_is_missing_where_the_tests_run():
+    found = findings({})
+    assert not [f for f in found.values() if f.verdict is Verdict.MISSING]
+    assert set(doctor.NEEDED) <= set(found)
+    assert 'four_waypoints' in found['configuration'].words
+
+
+def test_being_open_to_other_hosts_is_noted():
+    assert findings({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'})['discovery range'].verdict is (
+        Verdict.OK
+    )
+    noted = findings({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'})['discovery range']
+    assert noted.verdict is Verdict.NOTE
+    assert 'other hosts' in noted.words
+
+
+def test_untested_middleware_is_noted():
+    found = findings({'RMW_IMPLEMENTATION': 'rmw_other'})['RMW_IMPLEMENTATION']
+    assert found.verdict is Verdict.NOTE
+
+
+def test_a_package_that_is_not_there_is_missing(monkeypatch):
+    monkeypatch.setattr(doctor, 'NEEDED', ('numpy', 'no_such_package'))
+    found = findings({})
+    assert found['numpy'].verdict is Verdict.OK
+    assert found['no_such_package'].verdict is Verdict.MISSING
+
+
+@pytest.mark.parametrize(
+    ('verdict', 'code'), [(Verdict.OK, 0), (Verdict.NOTE, 0), (Verdict.MISSING, 1)]
+)
+def test_only_what_is_missing_is_a_failure(monkeypatch, verdict, code):
+    monkeypatch.setattr(doctor, 'examine', lambda: [Finding('thing', verdict, 'words')])
+    said = []
+    assert run_doctor(said.append) == code
+    assert verdict.value in said[0]

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The launch file against stand-ins for `launch`, which no package index has."""
+
+from pathlib import Path
+import runpy
+import sys
+from types import ModuleType
+
+import pytest
+import yaml
+
+from srnn_bringup.config import Choices, load
+from srnn_bringup.graph import describe
+
+FILE = Path(__file__).parents[1] / 'launch' / 'srnn.launch.py'
+
+
+class Recorded:
+    """Keeps the arguments that it is made with."""
+
+    def __init__(self, *positional, **named):
+        self.positional = positional
+        self.named = named
+
+    def perform(self, context):
+        return context[self.positional[0]]
+
+
+@pytest.fixture
+def launch_file(monkeypatch, tmp_path):
+    stand_ins = {
+        'launch': ('LaunchContext', 'LaunchDescription'),
+        'launch.actions': ('DeclareLaunchArgument', 'OpaqueFunction'),
+        'launch.substitutions': ('LaunchConfiguration',),
+        'launch_ros': (),
+        'launch_ros.actions': ('LifecycleNode',),
+    }
+    for name, classes in stand_ins.items():
+        module = ModuleType(name)
+        for cls in classes:
+            setattr(module, cls, type(cls, (Recorded,), {}))
+        monkeypatch.setitem(sys.modules, name, module)
+    monkeypatch.setattr('tempfile.tempdir', str(tmp_path))
+    return runpy.run_path(str(FILE))
+
+
+def test_arguments_have_defaults_and_choices(launch_file):
+    (entities,) = launch_file['generate_launch_description']().positional
+    arguments = {entity.positional[0]: entity.named for entity in entities if entity.positional}
+    assert set(arguments) == {'arm', 'scene', 'signal', 'seed'}
+    assert arguments['arm']['choices'] == ['sim']
+    assert arguments['scene']['default_value'] == 'four_waypoints'
+
+
+def test_launched_nodes_are_those_of_the_graph(launch_file):
+    context = {'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3'}
+    launched = launch_file['launch_nodes'](context)
+    expected = describe(load(Choices(signal='global', seed=3)))
+    assert [
+        (n.named['name'], n.named['package'], n.named['executable']) for n in launched
+    ] == [(n.name, n.package, n.executable) for n in expected]
+    for node, description in zip(launched, expected, strict=True):
+        (path,) = node.named['parameters']
+        (content,) = yaml.safe_load(Path(path).read_text()).values()
+        assert content['ros__parameters'] == {**description.parameters, 'autostart': True}

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`srnn demo` and `srnn up` as a user runs them: real processes, real middleware."""
+
+from collections.abc import Iterator
+import json
+import os
+from pathlib import Path
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+
+from srnn_msgs_py.topics import NODES
+from srnn_planner.core import weights_file
+
+START_S = 120.0
+"""The first start on a machine compiles the kernels."""
+
+RUN_S = 90.0
+STOP_S = 30.0
+MODULES = ('bridge_node', 'tracker_node', 'adapter_node', 'planner_node')
+
+SCENE = """
+name: wall
+waypoints: [[-0.03, 0.0], [0.15, -0.15]]
+blocked: 1
+obstacles:
+  - {shape: box, center: [0.05, -0.06], size: [0.04, 0.12], yaw: 0.7}
+"""
+
+
+class Srnn:
+    """A running `srnn` command: what it prints, and the processes below it."""
+
+    def __init__(self, folder: Path, *arguments: str) -> None:
+        self.lines: list[str] = []
+        self.process = subprocess.Popen(
+            [sys.executable, '-m', 'srnn_bringup.cli', *arguments],
+            cwd=folder,
+            env={**os.environ, 'TMPDIR': str(folder)},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        self.pids: dict[str, int] = {}
+        self._reader = threading.Thread(target=self._read)
+        self._reader.start()
+
+    @property
+    def text(self) -> str:
+        return '\n'.join(self.lines)
+
+    def wait_for(self, words: str, seconds: float = START_S) -> None:
+        end = time.monotonic() + seconds
+        while words not in self.text:
+            assert self.process.poll() is None, self.text
+            assert time.monotonic() < end, self.text
+            time.sleep(0.05)
+        self.pids = self._children()
+
+    def wait(self, seconds: float) -> int:
+        code = self.process.wait(seconds)
+        self._reader.join(seconds)
+        return code
+
+    def close(self) -> None:
+        if self.process.poll() is None:
+            self.process.terminate()
+        try:
+            self.wait(STOP_S)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.wait(STOP_S)
+
+    def _read(self) -> None:
+        for line in self.process.stdout:
+            self.lines.append(line.rstrip())
+
+    def _children(self) -> dict[str, int]:
+        listing = Path(f'/proc/{self.process.pid}/task/{self.process.pid}/children').read_text()
+        children = {}
+        for pid in map(int, listing.split()):
+            command = Path(f'/proc/{pid}/cmdline').read_text()
+            children.update({name: pid for name in MODULES if name in command})
+        return children
+
+
+@pytest.fixture
+def start(tmp_path: Path) -> Iterator:
+    running: list[Srnn] = []
+    (tmp_path / 'wall.yaml').write_text(SCENE)
+
+    def run(*arguments: str) -> Srnn:
+        running.append(Srnn(tmp_path, *arguments))
+        return running[-1]
+
+    yield run
+    for srnn in running:
+        srnn.close()
+
+
+def nothing_left(srnn: Srnn, folder: Path) -> bool:
+    """Tell whether all processes and the private files of a command are gone."""
+    processes = [pid for pid in srnn.pids.values() if Path(f'/proc/{pid}').exists()]
+    return not processes and not list(folder.glob('srnn_*'))
+
+
+def test_demo_runs_learns_and_reports(start, tmp_path):
+    srnn = start(
+        'demo', '--scene', 'wall.yaml', '--segments', '16', '--seed', '2',
+        '--json', 'demo.json', '--save-weights', 'weights.npz',
+    )  # fmt: skip
+    srnn.wait_for('segment  way point')
+    assert set(srnn.pids) == set(MODULES)
+    assert srnn.wait(RUN_S) == 0, srnn.text
+    assert nothing_left(srnn, tmp_path)
+
+    report = json.loads((tmp_path / 'demo.json').read_text())
+    assert (report['scene'], report['signal'], report['seed']) == ('wall', 'local', 2)
+    (trial,) = report['trials']
+    assert trial['segments_executed'] == 16
+    assert set(trial['nodes']) == set(NODES)
+    assert trial['contacts'] == len(trial['contact_segments']) >= 1, srnn.text
+    assert 1 <= trial['updates_triggered'] <= 16
+    assert trial['contact_force_peak_n'] > 1.0
+    assert trial['invalid_plans'] == 0
+    assert 0.0 < trial['planning_ms']['p50'] <= trial['planning_ms']['p99']
+    assert trial['update_ms']['p50'] > 0.0
+    assert 0.0 < trial['tracking_rmse_m'] < 0.005
+    assert trial['planned_execution_s']['mean'] > 0.1
+    assert trial['path_length_m'] > 0.1
+
+    assert (tmp_path / 'demo.png').stat().st_size > 20_000
+    version = weights_file.load(tmp_path / 'weights.npz').version
+    assert version >= trial['updates_triggered']
+    numbered = [line for line in srnn.lines if line[:7].strip().isdecimal()]
+    assert [int(line[:7]) for line in numbered] == list(range(1, 17))
+    assert srnn.text.count('touch ') >= trial['contacts']
+
+
+def test_demo_names_the_node_that_was_killed(start, tmp_path):
+    srnn = start('demo', '--segments', '500', '--json', 'demo.json')
+    srnn.wait_for('\n      2  ')
+    os.kill(srnn.pids['tracker_node'], signal.SIGKILL)
+    assert srnn.wait(STOP_S) == 1
+    assert 'srnn demo: tracker was killed by SIGKILL' in srnn.text
+    assert nothing_left(srnn, tmp_path)
+    assert json.loads((tmp_path / 'demo.json').read_text())['trials'][0]['segments_executed'] >= 2
+
+
+def test_demo_stops_cleanly_when_interrupted(start, tmp_path):
+    srnn = start('demo', '--segments', '500', '--json', 'demo.json')
+    srnn.wait_for('\n      2  ')
+    srnn.process.send_signal(signal.SIGINT)
+    assert srnn.wait(STOP_S) == 128 + signal.SIGINT
+    assert 'stopped by SIGINT' in srnn.text
+    assert 'Traceback' not in srnn.text
+    assert nothing_left(srnn, tmp_path)
+    assert json.loads((tmp_path / 'demo.json').read_text())['trials'][0]['segments_executed'] >= 2
+    assert (tmp_path / 'demo.png').is_file()
+
+
+def test_demo_can_be_interrupted_before_anything_moves(start, tmp_path):
+    srnn = start('demo', '--json', 'demo.json')
+    srnn.wait_for('configuring')
+    srnn.process.send_signal(signal.SIGINT)
+    assert srnn.wait(STOP_S) == 128 + signal.SIGINT
+    assert 'Traceback' not in srnn.text
+    assert nothing_left(srnn, tmp_path)
+
+
+def test_a_node_that_cannot_be_configured_is_named_with_its_reason(start, tmp_path):
+    scene = SCENE + '  - {shape: polygon, points: [[0, 0], [0.1, 0], [0.02, 0.02], [0, 0.1]]}\n'
+    (tmp_path / 'hollow.yaml').write_text(scene)
+    srnn = start('demo', '--scene', 'hollow.yaml')
+    assert srnn.wait(START_S) == 1
+    assert 'srnn demo: sim_bridge refuses to configure' in srnn.text
+    assert 'convex' in srnn.text
+    assert nothing_left(srnn, tmp_path)
+
+
+def test_up_keeps_the_graph_until_it_is_stopped(start, tmp_path):
+    srnn = start('up', '--scene', 'wall.yaml')
+    srnn.wait_for('Ctrl-C stops the graph')
+    assert all(f'({pid})' in srnn.text for pid in srnn.pids.values())
+    srnn.process.send_signal(signal.SIGINT)
+    assert srnn.wait(STOP_S) == 0
+    assert nothing_left(srnn, tmp_path)
