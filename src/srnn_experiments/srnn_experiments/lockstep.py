@@ -4,6 +4,7 @@
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lwr_description import Kinematics, Mount
 from lwr_sim_bridge.parameters import ArmParameters
@@ -60,7 +61,13 @@ class Log:
 
 
 class LockStep:
-    """Planner, tracker, adapter and arm with an injected clock."""
+    """Planner, tracker, adapter and arm with an injected clock.
+
+    Attributes:
+        log: what happened.
+        command: (7,) last joint command [rad], None before the first.
+
+    """
 
     def __init__(
         self,
@@ -74,6 +81,7 @@ class LockStep:
         """Put arm, tracker, planner and learner of one seed into a scene."""
         mount = Mount()
         self.log = Log()
+        self.command: NDArray[np.float64] | None = None
         self.arm = SimulatedArm(
             arm or ArmParameters(), mount, scene, np.random.default_rng([seed, 2])
         )
@@ -97,6 +105,7 @@ class LockStep:
             self.arm.step()
         now = self.arm.time
         tick = self.tracker.tick(now, self.arm.sample(round(now * 1e9)))
+        self.command = tick.command
         if tick.command is not None:
             self.arm.command(tick.command)
         self.sequencer.tip(self.tracker.tip[:2].copy())
