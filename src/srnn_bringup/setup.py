@@ -30,7 +30,7 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
-        (f'share/{PACKAGE}/config', files(CONFIG, '*.yaml')),
+        (f'share/{PACKAGE}/config', files(CONFIG, '*.yaml') + files(CONFIG, '*.xml')),
         (f'share/{PACKAGE}/config/scenes', files(CONFIG / 'scenes', '*.yaml')),
         (f'share/{PACKAGE}/launch', files(HERE / 'launch', '*.launch.py')),
     ],

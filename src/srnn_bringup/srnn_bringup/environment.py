@@ -3,6 +3,7 @@
 
 from collections.abc import Mapping
 
+from srnn_bringup.config import config_directory
 from srnn_bringup.errors import ChoiceError
 from srnn_node.realtime import VARIABLE as REALTIME_PRIORITY
 
@@ -12,6 +13,8 @@ DOMAIN_ID_MAX = 232
 
 DISCOVERY_RANGE = 'ROS_AUTOMATIC_DISCOVERY_RANGE'
 DISCOVERY_RANGES = ('LOCALHOST', 'SUBNET', 'OFF', 'SYSTEM_DEFAULT')
+
+PROFILES = 'FASTRTPS_DEFAULT_PROFILES_FILE'
 
 _THREADS = ('OPENBLAS_NUM_THREADS', 'OMP_NUM_THREADS', 'MKL_NUM_THREADS', 'NUMBA_NUM_THREADS')
 
@@ -36,10 +39,13 @@ def check_environment(environ: Mapping[str, str]) -> None:
 def graph_environment(environ: Mapping[str, str]) -> dict[str, str]:
     """Return the environment of the whole graph.
 
-    Unless the user decided otherwise, nobody outside this host takes part. The
-    ROS_DOMAIN_ID is that of the user.
+    Unless the user decided otherwise, nobody outside this host takes part, and new
+    participants announce themselves often. The ROS_DOMAIN_ID is that of the user.
     """
-    defaults = {DISCOVERY_RANGE: 'LOCALHOST'}
+    defaults = {
+        DISCOVERY_RANGE: 'LOCALHOST',
+        PROFILES: str(config_directory() / 'fastdds.xml'),
+    }
     # Matrices here are small: more threads only get in the way of the real-time loops.
     defaults.update(dict.fromkeys(_THREADS, '1'))
     return {**defaults, **environ, 'PYTHONUNBUFFERED': '1'}

@@ -19,9 +19,15 @@ from rclpy.signals import SignalHandlerOptions
 
 from srnn_bringup.config import Configuration
 from srnn_bringup.environment import DOMAIN_ID, graph_environment, node_environment
-from srnn_bringup.errors import BringupError, ChoiceError, Interrupted, NodeDiedError
+from srnn_bringup.errors import (
+    BringupError,
+    ChoiceError,
+    Interrupted,
+    NodeDiedError,
+    TransitionError,
+)
 from srnn_bringup.graph import NodeDescription, describe, write_parameters
-from srnn_bringup.lifecycle_client import DISCOVERY_S, LifecycleClient
+from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.pump import Pump
 from srnn_bringup.supervisor import Command, Supervisor
 from srnn_node.signals import StopRequest
@@ -29,6 +35,7 @@ from srnn_node.signals import StopRequest
 CONFIGURE_S = 180.0
 """The first configuration on a machine compiles the kernels [s]."""
 
+NAMESAKES_S = 2.0
 ACTIVATE_S = 10.0
 DEACTIVATE_S = 4.0
 
@@ -92,11 +99,16 @@ class LiveGraph:
             BringupError: a node is not there, or refuses.
 
         """
-        self.pump.until(lambda: set(self.names) <= set(self.node.get_node_names()), DISCOVERY_S)
         for client in self._clients:
-            self._refuse_namesakes()
             self._say(f'configuring {client.name}')
-            client.change('configure', self.pump, CONFIGURE_S)
+            try:
+                client.change('configure', self.pump, CONFIGURE_S)
+            except TransitionError:
+                # Another graph may have answered in place of a node that was still starting.
+                self.pump.until(self._namesakes, NAMESAKES_S)
+                self._refuse_namesakes()
+                raise
+        self._refuse_namesakes()
 
     def activate(self) -> None:
         """Activate every node, the arm first and the planner last."""
@@ -118,14 +130,16 @@ class LiveGraph:
         description = self._descriptions[self.names.index(name)]
         self._supervisor.start(command(description, self._files[name], autostart=True))
 
+    def _namesakes(self) -> list[str]:
+        seen = self.node.get_node_names()
+        return [name for name in self.names if seen.count(name) > 1]
+
     def _refuse_namesakes(self) -> None:
-        seen = self.node.get_node_names_and_namespaces()
-        twice = [name for name in self.names if seen.count((name, '/')) > 1]
-        if twice:
+        if self._namesakes():
             domain = os.environ.get(DOMAIN_ID) or '0'
             raise ChoiceError(
-                f'{DOMAIN_ID} = {domain}: another {", ".join(twice)} runs there; '
-                f'stop it, or choose another domain'
+                f'{DOMAIN_ID} = {domain}: another {" and ".join(self._namesakes())} runs there; '
+                'stop it, or choose another domain'
             )
 
     def _start(self, stack: ExitStack) -> None:

@@ -57,10 +57,10 @@ class RateKeeper:
             return False
         if late > self.period:
             self.overruns += 1
-            excess = self._latest_due(now) - self._next + 1 - self._catch_up
-            if excess > 0:
-                self.skipped += excess
-                self._next += excess
+        excess = self._latest_due(now) - self._next + 1 - self._catch_up
+        if excess > 0:
+            self.skipped += excess
+            self._next += excess
         self.taken += 1
         self._next += 1
         return True
