@@ -54,7 +54,7 @@ def describe(configuration: Configuration) -> tuple[NodeDescription, ...]:
             {'mount': arm['mount'], **tracking},
         ),
         NodeDescription(
-            'adapter', 'srnn_planner', 'adapter', 'srnn_planner.nodes.adapter_node', False,
+            'adapter', 'srnn_planner', 'adapter', 'srnn_planner.nodes.adapter_node', True,
             {
                 'seed': seed,
                 'initial_weights': _text(configuration.initial_weights),
@@ -63,7 +63,7 @@ def describe(configuration: Configuration) -> tuple[NodeDescription, ...]:
             },
         ),
         NodeDescription(
-            'planner', 'srnn_planner', 'planner', 'srnn_planner.nodes.planner_node', False,
+            'planner', 'srnn_planner', 'planner', 'srnn_planner.nodes.planner_node', True,
             {'scene': scene, 'seed': seed, **network},
         ),
     )  # fmt: skip

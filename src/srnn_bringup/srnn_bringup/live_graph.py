@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The running graph: its processes and the way through their lifecycles."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack, suppress
 from functools import partial
 import os
@@ -35,7 +35,6 @@ from srnn_node.signals import StopRequest
 CONFIGURE_S = 180.0
 """The first configuration on a machine compiles the kernels [s]."""
 
-NAMESAKES_S = 2.0
 ACTIVATE_S = 10.0
 DEACTIVATE_S = 4.0
 
@@ -104,11 +103,12 @@ class LiveGraph:
             try:
                 client.change('configure', self.pump, CONFIGURE_S)
             except TransitionError:
-                # Another graph may have answered in place of a node that was still starting.
-                self.pump.until(self._namesakes, NAMESAKES_S)
-                self._refuse_namesakes()
+                # A node that has just started has no other reason than an error of its own.
+                if not self._last_error(client.name):
+                    _refuse_namesakes([client.name])
                 raise
-        self._refuse_namesakes()
+        seen = self.node.get_node_names()
+        _refuse_namesakes([name for name in self.names if seen.count(name) > 1])
 
     def activate(self) -> None:
         """Activate every node, the arm first and the planner last."""
@@ -129,18 +129,6 @@ class LiveGraph:
         """
         description = self._descriptions[self.names.index(name)]
         self._supervisor.start(command(description, self._files[name], autostart=True))
-
-    def _namesakes(self) -> list[str]:
-        seen = self.node.get_node_names()
-        return [name for name in self.names if seen.count(name) > 1]
-
-    def _refuse_namesakes(self) -> None:
-        if self._namesakes():
-            domain = os.environ.get(DOMAIN_ID) or '0'
-            raise ChoiceError(
-                f'{DOMAIN_ID} = {domain}: another {" and ".join(self._namesakes())} runs there; '
-                'stop it, or choose another domain'
-            )
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
@@ -197,6 +185,15 @@ def command(
         (sys.executable, '-m', description.module, *arguments),
         node_environment(os.environ, description.real_time),
     )
+
+
+def _refuse_namesakes(names: Sequence[str]) -> None:
+    if names:
+        domain = os.environ.get(DOMAIN_ID) or '0'
+        raise ChoiceError(
+            f'{DOMAIN_ID} = {domain}: another {" and ".join(names)} runs there; '
+            'stop it, or choose another domain'
+        )
 
 
 def last_error(lines: tuple[str, ...]) -> str:

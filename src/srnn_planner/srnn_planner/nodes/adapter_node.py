@@ -26,6 +26,10 @@ from srnn_planner.core.statistics import Durations
 from srnn_planner.core.synaptic_change import input_change
 
 
+PRIORITY = 10
+"""SCHED_FIFO priority to ask for, below that of the nodes that move the arm."""
+
+
 @dataclass(frozen=True)
 class AdapterParameters(Parameters):
     """Parameters of the adapter node."""
@@ -170,7 +174,7 @@ class AdapterNode(WorkspaceNode):
 
 def main(args: Sequence[str] | None = None) -> int:
     """Run the adapter as a process."""
-    return run(AdapterNode, args)
+    return run(AdapterNode, args, priority=PRIORITY)
 
 
 if __name__ == '__main__':

@@ -36,6 +36,10 @@ from srnn_planner.core.statistics import Durations
 from srnn_planner.core.task import WaypointTask
 
 
+PRIORITY = 20
+"""SCHED_FIFO priority to ask for, below that of the nodes that move the arm."""
+
+
 @dataclass(frozen=True)
 class PlannerParameters(Parameters):
     """Parameters of the planner node."""
@@ -178,7 +182,7 @@ class PlannerNode(WorkspaceNode):
 
 def main(args: Sequence[str] | None = None) -> int:
     """Run the planner as a process."""
-    return run(PlannerNode, args)
+    return run(PlannerNode, args, priority=PRIORITY)
 
 
 if __name__ == '__main__':
