@@ -5,7 +5,6 @@ from collections.abc import Mapping
 
 from srnn_bringup.config import config_directory
 from srnn_bringup.errors import ChoiceError
-from srnn_node.realtime import VARIABLE as REALTIME_PRIORITY
 
 DOMAIN_ID = 'ROS_DOMAIN_ID'
 DOMAIN_ID_MAX = 232
@@ -49,11 +48,3 @@ def graph_environment(environ: Mapping[str, str]) -> dict[str, str]:
     # Matrices here are small: more threads only get in the way of the real-time loops.
     defaults.update(dict.fromkeys(_THREADS, '1'))
     return {**defaults, **environ, 'PYTHONUNBUFFERED': '1'}
-
-
-def node_environment(environ: Mapping[str, str], real_time: bool) -> dict[str, str]:
-    """Return the environment of one node; only those that move the arm get priority."""
-    environment = graph_environment(environ)
-    if not real_time:
-        environment[REALTIME_PRIORITY] = '0'
-    return environment

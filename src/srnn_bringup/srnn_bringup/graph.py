@@ -21,7 +21,6 @@ class NodeDescription:
         package: ROS package that installs it.
         executable: its name for ``ros2 run``.
         module: its name for ``python -m``.
-        real_time: whether it moves the arm and may ask for a real-time priority.
         parameters: nested parameter mapping of plain data.
 
     """
@@ -30,7 +29,6 @@ class NodeDescription:
     package: str
     executable: str
     module: str
-    real_time: bool
     parameters: Mapping[str, Any]
 
 
@@ -46,15 +44,15 @@ def describe(configuration: Configuration) -> tuple[NodeDescription, ...]:
     tracking = to_mapping(configuration.tracking)
     return (
         NodeDescription(
-            'sim_bridge', 'lwr_sim_bridge', 'sim_bridge', 'lwr_sim_bridge.bridge_node', True,
+            'sim_bridge', 'lwr_sim_bridge', 'sim_bridge', 'lwr_sim_bridge.bridge_node',
             {'scene': scene, 'seed': seed, **arm},
         ),
         NodeDescription(
-            'tracker', 'lwr_tracking', 'tracker', 'lwr_tracking.tracker_node', True,
+            'tracker', 'lwr_tracking', 'tracker', 'lwr_tracking.tracker_node',
             {'mount': arm['mount'], **tracking},
         ),
         NodeDescription(
-            'adapter', 'srnn_planner', 'adapter', 'srnn_planner.nodes.adapter_node', True,
+            'adapter', 'srnn_planner', 'adapter', 'srnn_planner.nodes.adapter_node',
             {
                 'seed': seed,
                 'initial_weights': _text(configuration.initial_weights),
@@ -63,7 +61,7 @@ def describe(configuration: Configuration) -> tuple[NodeDescription, ...]:
             },
         ),
         NodeDescription(
-            'planner', 'srnn_planner', 'planner', 'srnn_planner.nodes.planner_node', True,
+            'planner', 'srnn_planner', 'planner', 'srnn_planner.nodes.planner_node',
             {'scene': scene, 'seed': seed, **network},
         ),
     )  # fmt: skip

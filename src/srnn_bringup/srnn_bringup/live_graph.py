@@ -18,7 +18,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from srnn_bringup.config import Configuration
-from srnn_bringup.environment import DOMAIN_ID, graph_environment, node_environment
+from srnn_bringup.environment import DOMAIN_ID, graph_environment
 from srnn_bringup.errors import (
     BringupError,
     ChoiceError,
@@ -183,7 +183,7 @@ def command(
     return Command(
         description.name,
         (sys.executable, '-m', description.module, *arguments),
-        node_environment(os.environ, description.real_time),
+        graph_environment(os.environ),
     )
 
 

@@ -1,20 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
+from pathlib import Path
+
 import pytest
 
 from srnn_bringup.environment import (
     DISCOVERY_RANGE,
     DOMAIN_ID,
+    PROFILES,
     check_environment,
     graph_environment,
-    node_environment,
 )
 from srnn_bringup.errors import ChoiceError
-from srnn_node.realtime import VARIABLE
 
 
 def test_the_graph_stays_on_this_host_unless_the_user_decides_otherwise():
     assert graph_environment({})[DISCOVERY_RANGE] == 'LOCALHOST'
     assert graph_environment({DISCOVERY_RANGE: 'SUBNET'})[DISCOVERY_RANGE] == 'SUBNET'
+
+
+def test_new_participants_announce_themselves_often_unless_the_user_decides_otherwise():
+    assert Path(graph_environment({})[PROFILES]).is_file()
+    assert graph_environment({PROFILES: 'mine.xml'})[PROFILES] == 'mine.xml'
 
 
 def test_the_domain_is_that_of_the_user():
@@ -25,13 +31,6 @@ def test_the_domain_is_that_of_the_user():
 def test_small_matrices_use_one_thread():
     assert graph_environment({})['OPENBLAS_NUM_THREADS'] == '1'
     assert graph_environment({'OPENBLAS_NUM_THREADS': '2'})['OPENBLAS_NUM_THREADS'] == '2'
-
-
-def test_a_priority_is_for_the_nodes_that_move_the_arm():
-    asked = {VARIABLE: '70'}
-    assert node_environment(asked, real_time=True)[VARIABLE] == '70'
-    assert node_environment(asked, real_time=False)[VARIABLE] == '0'
-    assert VARIABLE not in node_environment({}, real_time=True)
 
 
 @pytest.mark.parametrize(
@@ -55,4 +54,4 @@ def test_what_the_middleware_can_use_is_not_refused(environ):
 
 
 def test_the_rest_is_handed_on():
-    assert node_environment({'PATH': '/bin'}, real_time=False)['PATH'] == '/bin'
+    assert graph_environment({'PATH': '/bin'})['PATH'] == '/bin'

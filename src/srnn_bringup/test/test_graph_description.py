@@ -23,10 +23,6 @@ def test_the_arm_comes_up_first_and_the_planner_last(nodes):
     assert (first, last) == ('sim_bridge', 'planner')
 
 
-def test_only_nodes_that_move_the_arm_are_real_time(nodes):
-    assert {name for name, node in nodes.items() if node.real_time} == {'tracker', 'sim_bridge'}
-
-
 @pytest.mark.parametrize('name', NODES)
 def test_every_node_gets_exactly_the_parameters_that_it_declares(nodes, name):
     node = nodes[name]

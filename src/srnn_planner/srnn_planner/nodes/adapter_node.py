@@ -25,7 +25,6 @@ from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.synaptic_change import input_change
 
-
 PRIORITY = 10
 """SCHED_FIFO priority to ask for, below that of the nodes that move the arm."""
 

@@ -35,7 +35,6 @@ from srnn_planner.core.sequencer import Sequencer
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.task import WaypointTask
 
-
 PRIORITY = 20
 """SCHED_FIFO priority to ask for, below that of the nodes that move the arm."""
 
