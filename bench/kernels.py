@@ -22,7 +22,7 @@ from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 from srnn_planner.core.planner import PlanRequest, SegmentPlanner
 from srnn_planner.core.plasticity import Experience
 from srnn_planner.core.retreat import at_rest
-from srnn_planner.core.sampling import SampleInput, sample_spikes
+from srnn_planner.core.sampling import SampleInput, sample_spikes, thin
 from srnn_planner.core.sampling_kernel import sample_activity
 
 MODEL, PLANNING = ModelParameters(), PlanningParameters()
@@ -64,7 +64,9 @@ def sampling_calls() -> tuple[Callable[[], object], Callable[[], object]]:
         neurons.prior_weights,
         context,
         draw_history(start, sampling.samples, network.tau, rng),
-        rng.random((*size, network.neurons), dtype=np.float32),
+        thin(
+            rng.random((*size, network.neurons), dtype=np.float32), network.spike_probability_max
+        ),
         rng.random((*size, PLANNING.context.neurons), dtype=np.float32),
     )
     return (

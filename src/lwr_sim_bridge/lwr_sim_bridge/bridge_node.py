@@ -27,13 +27,13 @@ from srnn_node.run import run
 PRIORITY = 50
 """SCHED_FIFO priority to ask for."""
 
-CATCH_UP = 20
-"""Ticks that are made up for after a delay; longer gaps slow simulated time down."""
+TICKS_PER_CYCLE = 4
+"""Commands are taken and joint states go out every 4 ms; the controller runs at 1 kHz."""
 
-TICKS_PER_SAMPLE = 4
-"""Joint states go out at 250 Hz."""
+CATCH_UP = 5
+"""Cycles that are made up for after a delay; longer gaps slow simulated time down."""
 
-TICKS_PER_TRUTH = 20
+CYCLES_PER_TRUTH = 5
 """Wrench and contact truth go out at 50 Hz."""
 
 
@@ -79,20 +79,20 @@ class BridgeNode(WorkspaceNode):
 
     def activate(self) -> None:
         """Let time run from now on."""
-        self._rate = RateKeeper(TICK, time.monotonic(), CATCH_UP)
+        self._rate = RateKeeper(TICKS_PER_CYCLE * TICK, time.monotonic(), CATCH_UP)
 
     def seconds_to_tick(self) -> float | None:
-        """Return the time until the next tick of the arm is due [s]."""
+        """Return the time until the next cycle of the arm is due [s]."""
         return self._rate.seconds_to_tick(time.monotonic())
 
     def on_tick(self) -> None:
-        """Advance the arm by 1 ms and report what it measures."""
+        """Advance the arm by one cycle and report what it measures."""
         if not self._rate.take(time.monotonic()):
             return
-        self._arm.step()
-        self._ticks += 1
-        if self._ticks % TICKS_PER_SAMPLE == 0:
-            self._report()
+        for _ in range(TICKS_PER_CYCLE):
+            self._arm.step()
+        self._cycles += 1
+        self._report()
 
     def health(self) -> Health:
         """Report timing and refused commands."""
@@ -100,7 +100,7 @@ class BridgeNode(WorkspaceNode):
             return Health()
         refused = {f'refused_{reason.name.lower()}': n for reason, n in self._arm.refused.items()}
         values = {
-            'ticks': self._rate.taken,
+            'cycles': self._rate.taken,
             'overruns': self._rate.overruns,
             'skipped': self._rate.skipped,
             **refused,
@@ -114,7 +114,7 @@ class BridgeNode(WorkspaceNode):
             np.random.default_rng([self._parameters.seed, 2]),
         )
         self._segments = 0
-        self._ticks = 0
+        self._cycles = 0
 
     def _report(self) -> None:
         now = self.get_clock().now().nanoseconds
@@ -123,7 +123,7 @@ class BridgeNode(WorkspaceNode):
         # The tracker acts on the joint state, so the torque that belongs to it goes first.
         self._external.publish(external)
         self._measured.publish(measured)
-        if self._ticks % TICKS_PER_TRUTH:
+        if self._cycles % CYCLES_PER_TRUTH:
             return
         jacobian = self._kinematics.jacobian(sample.position)
         force = np.linalg.solve(jacobian @ jacobian.T, jacobian @ sample.external_torque)

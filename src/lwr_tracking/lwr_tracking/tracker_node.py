@@ -34,6 +34,9 @@ MAX_LAG = 0.01
 SILENCE = 0.25
 """Without joint states for this long the tracker stops until reset [s]."""
 
+SECOND_LOOK = 0.05
+"""Time to read what has arrived before silence counts [s]."""
+
 TICKS_PER_POSE = 5
 """One pose goes out for this many measurements: 50 Hz of 250 Hz."""
 
@@ -65,6 +68,8 @@ class TrackerNode(WorkspaceNode):
         self._external: Any = None
         self._sample: JointSample | None = None
         self._arrival = 0.0
+        self._overdue = False
+        self._longest_silence = 0.0
         self._ticks = 0
         # The oldest command is as old as the arm is behind its commands.
         self._sent: deque[np.ndarray] = deque(
@@ -98,11 +103,18 @@ class TrackerNode(WorkspaceNode):
             self._cycle(replace(self._sample, position=self._sent[0]))
 
     def seconds_to_tick(self) -> float | None:
-        """Return when the joint states would be overdue [s]."""
-        return None if self._sample is None else self._arrival + SILENCE - time.monotonic()
+        """Return when the joint states are overdue [s]."""
+        if self._sample is None:
+            return None
+        patience = SILENCE + (SECOND_LOOK if self._overdue else 0.0)
+        return self._arrival + patience - time.monotonic()
 
     def on_tick(self) -> None:
         """Stop: without joint states nobody knows where the arm is."""
+        if not self._overdue:
+            # If it was this process that slept, they are waiting to be read.
+            self._overdue = True
+            return
         self._sample = None
         self._tracker.stop('no joint states')
 
@@ -117,6 +129,7 @@ class TrackerNode(WorkspaceNode):
             **counters, **refused,
             'force_n': self._tracker.contact.force,
             'error_m': self._tracker.contact.error,
+            'longest_silence_ms': 1e3 * self._longest_silence,
         }
         if self._sample is None:
             return Health(HealthLevel.ERROR, 'no joint states', values)
@@ -133,8 +146,10 @@ class TrackerNode(WorkspaceNode):
         self._external = msg
 
     def _on_sample(self, sample: JointSample) -> None:
-        self._sample = sample
-        self._arrival = time.monotonic()
+        now = time.monotonic()
+        if self._sample is not None:
+            self._longest_silence = max(self._longest_silence, now - self._arrival)
+        self._sample, self._arrival, self._overdue = sample, now, False
         if self.active:
             self._cycle(sample)
 

@@ -25,6 +25,7 @@ from srnn_node import garbage
 from srnn_node.diagnostics import HealthReporter
 from srnn_node.entities import EntityLedger
 from srnn_node.parameters import NoParameters, declare_parameters
+from srnn_node.realtime import prefer_thread
 
 SUCCESS = TransitionCallbackReturn.SUCCESS
 FAILURE = TransitionCallbackReturn.FAILURE
@@ -41,12 +42,14 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
 
     Attributes:
         PARAMETERS: the parameter set that `configure` gets.
+        ACTIVE_PRIORITY: SCHED_FIFO priority of the main thread while active, 0 for none.
         failure: why the last transition failed, empty when it did not.
         refused_messages: messages that no converter would take.
 
     """
 
     PARAMETERS: ClassVar[type[Parameters]] = NoParameters
+    ACTIVE_PRIORITY: ClassVar[int] = 0
 
     def __init__(self, name: str, **options: Any) -> None:
         """Create the node, unconfigured.
@@ -156,6 +159,8 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
             super().on_deactivate(state)
             garbage.thaw()
             return FAILURE
+        if self.ACTIVE_PRIORITY:
+            prefer_thread(self.ACTIVE_PRIORITY)
         self._active = True
         return SUCCESS
 
@@ -164,6 +169,8 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         self._active = False
         stopped = self._succeeds('deactivate', self.deactivate)
         garbage.thaw()
+        if self.ACTIVE_PRIORITY:
+            prefer_thread(0)
         super().on_deactivate(state)
         return SUCCESS if stopped else ERROR
 

@@ -55,6 +55,30 @@ def request_realtime(default: int = 0, environ: Mapping[str, str] = os.environ) 
     return Scheduling(True, f'SCHED_FIFO {priority}, memory locked')
 
 
+def prefer_thread(priority: int, environ: Mapping[str, str] = os.environ) -> bool:
+    """Give this thread a real-time priority, or take it back with 0.
+
+    For nodes that work hard for a moment and must not do so while they start: with a
+    real-time priority from the beginning, loading would stand in the way of the arm.
+
+    Args:
+        priority: SCHED_FIFO priority, 1 to 99; 0 for normal scheduling.
+        environ: where `VARIABLE` = 0 switches priorities off.
+
+    Returns:
+        Whether it was granted.
+
+    """
+    if environ.get(VARIABLE) == '0':
+        return False
+    policy = os.SCHED_FIFO if priority else os.SCHED_OTHER
+    try:
+        os.sched_setscheduler(0, policy, os.sched_param(priority))
+    except OSError:
+        return False
+    return True
+
+
 def _priority(text: str, default: int) -> int:
     if not text:
         return default

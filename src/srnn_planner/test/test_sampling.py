@@ -17,7 +17,7 @@ from srnn_planner.core.parameters import (
     LearningParameters,
     NetworkParameters,
 )
-from srnn_planner.core.sampling import SampleInput, activation, sample_spikes
+from srnn_planner.core.sampling import SampleInput, activation, sample_spikes, thin
 from srnn_planner.core.sampling_kernel import sample_activity
 from srnn_planner.core.state_neurons import StateNeurons
 
@@ -36,7 +36,10 @@ def sample_input(network, rng, samples=6, steps=30):
         ).astype(np.float32),
         context=context,
         history=draw_history(probability, samples, network.tau, rng),
-        uniforms=rng.random((samples, steps, network.neurons), dtype=np.float32),
+        draws=thin(
+            rng.random((samples, steps, network.neurons), dtype=np.float32),
+            network.spike_probability_max,
+        ),
         context_uniforms=rng.random((samples, steps, len(context.weights)), dtype=np.float32),
     )
 
@@ -67,7 +70,9 @@ def isolated(network, samples, steps, rng):
         weights=np.zeros((count, count), dtype=np.float32),
         context=ContextPopulation(np.zeros((1, count)), np.zeros(steps)),
         history=np.full((samples, count), NO_SPIKE),
-        uniforms=rng.random((samples, steps, count), dtype=np.float32),
+        draws=thin(
+            rng.random((samples, steps, count), dtype=np.float32), network.spike_probability_max
+        ),
         context_uniforms=rng.random((samples, steps, 1), dtype=np.float32),
     )
 
@@ -124,3 +129,12 @@ def test_context_fires_with_its_time_dependent_probability(rng):
         np.zeros(2), StateNeurons(NetworkParameters()).positions, 30, CONTEXT, rng
     )
     assert population.spike_probability == pytest.approx(np.linspace(0.05, 0.4, 30))
+
+
+@given(seed=st.integers(0, 2**32 - 1), limit=st.sampled_from([0.001, 0.2, 1.0]))
+def test_thinning_leaves_out_only_what_cannot_spike(seed, limit):
+    uniforms = np.random.default_rng(seed).random((3, 4, 30), dtype=np.float32)
+    draws = thin(uniforms, limit)
+    below = uniforms < np.float32(limit)
+    assert np.array_equal(draws.dense(), np.where(below, uniforms, np.float32(1.0)))
+    assert draws.offsets[-1] == below.sum()

@@ -137,6 +137,21 @@ def test_refused_first_segment_is_tried_again_soon(sequencer):
     assert sequencer.request(0.02 + RETRY) is not None
 
 
+def test_planner_that_is_refused_again_and_again_asks_less_and_less_often(sequencer):
+    now, pauses = 0.0, []
+    for stamp in range(1, 9):
+        sequencer.sent(stamp, straight(), 0.01, now)
+        sequencer.result(result(stamp, ResultCode.REJECTED), now)
+        pauses.append(sequencer.wake_time() - now)
+        now = sequencer.wake_time()
+    assert pauses == pytest.approx(RETRY * 2.0 ** np.minimum(np.arange(8), 4))
+    sequencer.sent(9, straight(), 0.01, now)
+    sequencer.result(result(9, ResultCode.DONE), now)
+    sequencer.sent(10, straight(), 0.01, now)
+    sequencer.result(result(10, ResultCode.REJECTED), now)
+    assert sequencer.wake_time() - now == pytest.approx(RETRY)
+
+
 def test_results_of_another_planner_are_ignored(sequencer):
     sequencer.sent(7, straight(), 0.01, now=0.0)
     sequencer.result(result(3, ResultCode.BLOCKED), now=0.1)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Arrays over time as JointTrajectory messages whose joints are axes of a frame."""
 
+from array import array
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,6 @@ from std_msgs.msg import Header
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from srnn_msgs_py.errors import MessageError
-from srnn_msgs_py.ros.arrays import doubles
 from srnn_msgs_py.ros.stamp import (
     SECOND_NS,
     duration_from_msg,
@@ -54,11 +54,15 @@ def to_msg(value: Columns) -> JointTrajectory:
         raise MessageError(f'columns have the shapes {shapes}: must be one (T, 1 to {len(AXES)})')
     if value.times.shape != shape[:1] or not np.isfinite(value.times).all():
         raise MessageError(f'times {value.times!r}: must be {shape[0]} finite numbers')
-    points = []
-    for index, time in enumerate(value.times.tolist()):
-        row = {name: doubles(column[index]) for name, column in value.columns.items()}
-        start = duration_to_msg(round(time * SECOND_NS))
-        points.append(JointTrajectoryPoint(time_from_start=start, **row))
+    names = tuple(value.columns)
+    rows = zip(*(value.columns[name].tolist() for name in names), strict=True)
+    points = [
+        JointTrajectoryPoint(
+            time_from_start=duration_to_msg(round(time * SECOND_NS)),
+            **{name: array('d', part) for name, part in zip(names, row, strict=True)},
+        )
+        for time, row in zip(value.times.tolist(), rows, strict=True)
+    ]
     return JointTrajectory(
         header=Header(stamp=stamp_to_msg(value.stamp_ns), frame_id=str(value.frame)),
         joint_names=list(AXES[: shape[1]]),

@@ -11,7 +11,7 @@ from srnn_planner.core.decoding import decode, window
 from srnn_planner.core.encoding import draw_history, spike_probability
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 from srnn_planner.core.retreat import at_rest, back_off
-from srnn_planner.core.sampling import SampleInput
+from srnn_planner.core.sampling import Draws, SampleInput, thin
 from srnn_planner.core.sampling_kernel import sample_activity
 from srnn_planner.core.selection import select
 from srnn_planner.core.state_neurons import StateNeurons
@@ -66,7 +66,7 @@ class SegmentPlanner:
         self.neurons = StateNeurons(model.network)
         self.weights: NDArray[np.float32] = self.neurons.prior_weights
         self._rng, self._uniform_rng = rng.spawn(2)
-        self._uniforms: NDArray[np.float32] | None = None
+        self._draws: Draws | None = None
         self._window = window(
             planning.sampling.steps, model.network.tau, planning.sampling.decode_sigma
         )
@@ -129,7 +129,7 @@ class SegmentPlanner:
                 spike_probability(start, self.model.learning),
                 sampling.samples, network.tau, self._rng,
             ),
-            uniforms=self._take_uniforms(),
+            draws=self._take_draws(),
             context_uniforms=self._rng.random((*size, len(context.weights)), dtype=np.float32),
         )
         _, activity = sample_activity(network, self.neurons.positions, given)
@@ -139,16 +139,17 @@ class SegmentPlanner:
 
     def prepare(self) -> None:
         """Draw the random numbers of the next plan ahead of time; changes no plan."""
-        if self._uniforms is None:
+        if self._draws is None:
             sampling = self.planning.sampling
             size = (sampling.samples, sampling.steps, self.model.network.neurons)
-            self._uniforms = self._uniform_rng.random(size, dtype=np.float32)
+            uniforms = self._uniform_rng.random(size, dtype=np.float32)
+            self._draws = thin(uniforms, self.model.network.spike_probability_max)
 
-    def _take_uniforms(self) -> NDArray[np.float32]:
+    def _take_draws(self) -> Draws:
         self.prepare()
-        uniforms, self._uniforms = self._uniforms, None
-        assert uniforms is not None
-        return uniforms
+        draws, self._draws = self._draws, None
+        assert draws is not None
+        return draws
 
     @property
     def _dimensions(self) -> int:

@@ -2,8 +2,9 @@
 """The compiled sampler: same spikes as `sampling.sample_spikes`, in a few milliseconds.
 
 Membrane potentials are kept up to date by the few neurons whose postsynaptic
-potential begins or ends in a step, and the exponential is taken only where the
-uniform number lies below the limit of the spike probability.
+potential begins or ends in a step. Only neurons whose uniform number lies below the
+limit of the spike probability are looked at, and most of these are ruled out before
+an exponential is taken.
 """
 
 import numba
@@ -35,7 +36,9 @@ def sample_activity(
         given.context.weights,
         given.context.spike_probability,
         given.history,
-        given.uniforms,
+        given.draws.neurons,
+        given.draws.values,
+        given.draws.offsets,
         given.context_uniforms,
         positions,
         network.tau,
@@ -48,18 +51,16 @@ def sample_activity(
 
 @numba.njit(cache=True)
 def _sample(
-    weights, theta, context_probability, history, uniforms, context_uniforms, positions,
-    tau, slope, threshold, limit, absolute,
+    weights, theta, context_probability, history, drawn, draws, offsets, context_uniforms,
+    positions, tau, slope, threshold, limit, absolute,
 ):
-    samples, steps, neurons = uniforms.shape
-    context_neurons = theta.shape[0]
-    dimensions = positions.shape[1]
+    samples, steps, context_neurons = context_uniforms.shape
+    neurons, dimensions = positions.shape
     spikes = np.zeros((samples, steps, neurons), dtype=np.uint8)
     activity = np.zeros((samples, tau + steps, dimensions + 1))
     u = np.empty(neurons)
     last = np.empty(neurons, dtype=np.int32)
     begun = np.empty(neurons, dtype=np.int64)
-    candidates = np.empty(neurons, dtype=np.int64)
     context_last = np.empty(context_neurons, dtype=np.int64)
     for s in range(samples):
         _begin(s, history, weights, positions, tau, u, last, activity)
@@ -71,25 +72,20 @@ def _sample(
                 t, tau, s, theta, context_probability, context_uniforms, u, context_last
             )
             begun_count = 0
-            draws = uniforms[s, t]
-            # Without a branch: four of five neurons draw above the limit at random.
-            count = 0
-            for k in range(neurons):
-                candidates[count] = k
-                count += draws[k] < limit
-            for c in range(count):
-                k = candidates[c]
+            step = s * steps + t
+            for n in range(offsets[step], offsets[step + 1]):
+                k = drawn[n]
                 since = t - last[k]
                 if absolute and since <= tau:
                     continue
                 x = min(slope * u[k] - threshold, 0.0)
                 # exp(x) < 1 / (1 - x + x^2/2 - x^3/6) for x < 0 rules most spikes out.
-                if draws[k] * (1.0 - x * (1.0 - x * (0.5 - x * 0.16666))) > 1.0:
+                if draws[n] * (1.0 - x * (1.0 - x * (0.5 - x * 0.16666))) > 1.0:
                     continue
                 rho = min(limit, np.exp(x))
                 if since <= tau:
                     rho = rho * since / tau
-                if draws[k] < rho:
+                if draws[n] < rho:
                     spikes[s, t, k] = 1
                     if since > tau:
                         begun[begun_count] = k

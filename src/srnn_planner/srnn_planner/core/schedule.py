@@ -19,17 +19,18 @@ class PlanningSchedule:
         """Start with the assumed planning time."""
         self._parameters = parameters
         self._times: deque[float] = deque(maxlen=parameters.window)
+        self._expected = parameters.initial
 
     def record(self, seconds: float) -> None:
         """Take in the measured planning time of a segment [s]."""
         self._times.append(seconds)
+        if len(self._times) > 1:
+            self._expected = fmean(self._times) + 3.0 * pstdev(self._times)
 
     @property
     def lead(self) -> float:
         """Time before the expected end of a segment at which to plan the next [s]."""
-        if len(self._times) < 2:
-            return self._parameters.initial + self._parameters.margin
-        return fmean(self._times) + 3.0 * pstdev(self._times) + self._parameters.margin
+        return self._expected + self._parameters.margin
 
     def start(self, segment_start: float, duration: float) -> float:
         """Return the time at which to plan the successor of a segment [s]."""

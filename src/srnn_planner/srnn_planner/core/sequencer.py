@@ -18,6 +18,9 @@ from srnn_planner.core.workspace import Workspace
 RETRY = 0.1
 """Pause before planning again after a rejected segment or an invalid plan [s]."""
 
+PATIENCE = 4
+"""The pause doubles with every further rejection in a row, this many times."""
+
 LOST_AFTER = 1.0
 """A segment without a result this long after its expected end counts as lost [s]."""
 
@@ -77,6 +80,7 @@ class Sequencer:
         self._touched: int | None = None
         self._executed_stamp = self._learned_stamp = 0
         self._retreating = False
+        self._refused_in_a_row = 0
         self._not_before = 0.0
 
     @property
@@ -107,12 +111,14 @@ class Sequencer:
         flight = self._flight(result.stamp_ns)
         if flight is None:
             return
+        if result.code in (ResultCode.REJECTED, ResultCode.STALE, ResultCode.FAULT):
+            self._refused(flight, now)
+            return
+        self._refused_in_a_row = 0
         if result.code is ResultCode.DONE:
             self._done(now)
-        elif result.code is ResultCode.BLOCKED:
-            self._blocked(result.stamp_ns, now)
         else:
-            self._refused(flight, now)
+            self._blocked(result.stamp_ns, now)
 
     def wake_time(self) -> float | None:
         """Return when `request` should be asked next [s], None if only events matter."""
@@ -194,7 +200,9 @@ class Sequencer:
             self._running = None
         self._waiting = None
         running_until = self._running.end if self._running is not None else now
-        self._not_before = max(now, running_until) + RETRY
+        pause = RETRY * 2.0 ** min(self._refused_in_a_row, PATIENCE)
+        self._refused_in_a_row += 1
+        self._not_before = max(now, running_until) + pause
 
     def _end_wait_for_learning(self) -> None:
         """Go on as soon as path and lesson of the last contact are in, in any order."""

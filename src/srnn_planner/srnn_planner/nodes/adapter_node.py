@@ -25,9 +25,6 @@ from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.synaptic_change import input_change
 
-PRIORITY = 10
-"""SCHED_FIFO priority to ask for, below that of the nodes that move the arm."""
-
 
 @dataclass(frozen=True)
 class AdapterParameters(Parameters):
@@ -43,6 +40,7 @@ class AdapterNode(WorkspaceNode):
     """Learns while active; inactive it keeps its weights and publishes nothing."""
 
     PARAMETERS = AdapterParameters
+    ACTIVE_PRIORITY = 10
 
     def __init__(self) -> None:
         """Create the node, unconfigured."""
@@ -173,7 +171,7 @@ class AdapterNode(WorkspaceNode):
 
 def main(args: Sequence[str] | None = None) -> int:
     """Run the adapter as a process."""
-    return run(AdapterNode, args, priority=PRIORITY)
+    return run(AdapterNode, args)
 
 
 if __name__ == '__main__':

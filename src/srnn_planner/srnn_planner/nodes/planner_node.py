@@ -35,9 +35,6 @@ from srnn_planner.core.sequencer import Sequencer
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.task import WaypointTask
 
-PRIORITY = 20
-"""SCHED_FIFO priority to ask for, below that of the nodes that move the arm."""
-
 
 @dataclass(frozen=True)
 class PlannerParameters(Parameters):
@@ -53,6 +50,7 @@ class PlannerNode(WorkspaceNode):
     """Plans segments while active; inactive it publishes none, and the arm comes to rest."""
 
     PARAMETERS = PlannerParameters
+    ACTIVE_PRIORITY = 20
 
     def __init__(self) -> None:
         """Create the node, unconfigured."""
@@ -181,7 +179,7 @@ class PlannerNode(WorkspaceNode):
 
 def main(args: Sequence[str] | None = None) -> int:
     """Run the planner as a process."""
-    return run(PlannerNode, args, priority=PRIORITY)
+    return run(PlannerNode, args)
 
 
 if __name__ == '__main__':
