@@ -91,15 +91,22 @@ def test_join_moves_the_start_and_leaves_the_end():
 def test_curve_has_even_speed_and_starts_at_the_first_point(seed):
     path = random_path(np.random.default_rng(seed))
     curve = fit(path)
-    speed = np.linalg.norm(curve.at(np.linspace(0, 1, 50), 1), axis=1)
-    assert curve.at(np.zeros(1))[0] == pytest.approx(path[0], abs=1e-12)
+    speed = np.linalg.norm(curve.at(np.linspace(0, 1, 50))[1], axis=1)
+    assert curve.at(np.zeros(1))[0][0] == pytest.approx(path[0], abs=1e-12)
     assert speed == pytest.approx(np.full(50, curve.length), rel=0.35)
+
+
+def test_derivatives_of_the_curve_are_its_finite_differences():
+    curve, s, step = fit(random_path(np.random.default_rng(1))), np.linspace(0.1, 0.9, 9), 1e-4
+    before, here, after = (curve.at(s + d * step) for d in (-1, 0, 1))
+    assert here[1] == pytest.approx((after[0] - before[0]) / (2 * step), rel=1e-5, abs=1e-7)
+    assert here[2] == pytest.approx((after[1] - before[1]) / (2 * step), rel=1e-5, abs=1e-7)
 
 
 def test_curve_through_a_circle_arc_stays_on_it():
     angle = np.linspace(0.0, 1.5, 40)
     arc = np.column_stack([np.cos(angle), np.sin(angle)])
-    radius = np.linalg.norm(fit(arc).at(np.linspace(0, 1, 100)), axis=1)
+    radius = np.linalg.norm(fit(arc).at(np.linspace(0, 1, 100))[0], axis=1)
     assert radius == pytest.approx(np.ones(100), abs=0.02)
 
 

@@ -12,6 +12,9 @@ STIFFNESS = 0.00003
 """Weight of the mean squared second derivative against the mean squared residual."""
 
 
+_ORDER = np.arange(DEGREE + 1.0)
+
+
 @dataclass(frozen=True, eq=False)
 class Curve:
     """A polynomial p(s), s from 0 to 1, whose speed |p'(s)| is close to its length.
@@ -25,14 +28,12 @@ class Curve:
     coefficients: NDArray[np.float64]
     length: float
 
-    def at(self, s: NDArray[np.float64], derivative: int = 0) -> NDArray[np.float64]:
-        """Return the curve or a derivative by s at parameters s (n,) as (n, d)."""
-        powers = np.arange(DEGREE + 1)
-        factor = np.ones(DEGREE + 1)
-        for order in range(derivative):
-            factor = factor * np.maximum(powers - order, 0)
-        exponent = np.maximum(powers - derivative, 0)
-        return np.asarray((factor * s[:, None] ** exponent) @ self.coefficients)
+    def at(self, s: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+        """Return the curve and its first two derivatives by s at (n,), each (n, d)."""
+        powers = _powers(s)
+        first = powers[:, :-1] @ (_ORDER[1:, None] * self.coefficients[1:])
+        second = powers[:, :-2] @ ((_ORDER * (_ORDER - 1))[2:, None] * self.coefficients[2:])
+        return powers @ self.coefficients, first, second
 
 
 def fit(points: NDArray[np.float64]) -> Curve:
@@ -43,10 +44,9 @@ def fit(points: NDArray[np.float64]) -> Curve:
     accelerations. First fitted over the steps, then once more at even distances along
     itself, so that constant speed along the curve is constant progress of s.
     """
-    s = np.linspace(0.0, 1.0, len(points))
-    curve, _ = _even(_polynomial(points), s)
-    points, length = _even(_polynomial(curve), s)
-    return Curve(_polynomial(points), length)
+    evenly, _ = _even(_polynomial(points), len(points))
+    evenly, length = _even(_polynomial(evenly), len(points))
+    return Curve(_polynomial(evenly), length)
 
 
 def _polynomial(points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -54,17 +54,26 @@ def _polynomial(points: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.vstack([points[:1], _projection(len(points)) @ offsets])
 
 
-def _even(
-    coefficients: NDArray[np.float64], s: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], float]:
-    """Return points (T, d) at even distances along a polynomial, and its length."""
-    dense = np.linspace(0.0, 1.0, 4 * len(s))
-    points = dense[:, None] ** np.arange(DEGREE + 1) @ coefficients
+def _even(coefficients: NDArray[np.float64], count: int) -> tuple[NDArray[np.float64], float]:
+    """Return points (count, d) at even distances along a polynomial, and its length."""
+    points = _dense(4 * count) @ coefficients
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     distance = np.concatenate([[0.0], np.cumsum(steps)])
     length = float(distance[-1])
-    columns = [np.interp(s * length, distance, column) for column in points.T]
-    return np.stack(columns, axis=1), length
+    even = np.linspace(0.0, length, count)
+    return np.stack([np.interp(even, distance, column) for column in points.T], axis=1), length
+
+
+def _powers(s: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return (n, DEGREE + 1): 1, s, s^2 and so on."""
+    powers = np.ones((len(s), DEGREE + 1))
+    np.multiply.accumulate(np.broadcast_to(s[:, None], (len(s), DEGREE)), axis=1, out=powers[:, 1:])
+    return powers
+
+
+@lru_cache(maxsize=8)
+def _dense(count: int) -> NDArray[np.float64]:
+    return _powers(np.linspace(0.0, 1.0, count))
 
 
 @lru_cache(maxsize=8)

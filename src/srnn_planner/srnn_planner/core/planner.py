@@ -134,8 +134,8 @@ class SegmentPlanner:
         )
         _, activity = sample_activity(network, self.neurons.positions, given)
         paths, valid = decode(activity, self._window)
-        steps = np.linalg.norm(np.diff(paths, axis=1), axis=2).max(axis=1)
-        return paths, valid & (steps <= sampling.step_max)
+        squared = (np.diff(paths, axis=1) ** 2).sum(axis=2).max(axis=1)
+        return paths, valid & (squared <= sampling.step_max**2)
 
     def prepare(self) -> None:
         """Draw the random numbers of the next plan ahead of time; changes no plan."""

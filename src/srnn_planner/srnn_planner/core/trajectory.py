@@ -92,7 +92,7 @@ def _at_speed(
     acceleration = max(caution, 0.5) * p.acceleration
     length = max(curve.length, 1e-6)
     speed = min(caution * velocity, length / p.duration_min)
-    tangent = curve.at(np.zeros(1), 1)[0] / length
+    tangent = curve.coefficients[1] / length
     # Faster than this cannot be slowed down within the path; the turn takes the rest.
     fastest = float(np.sqrt(speed**2 + acceleration * length))
     first = float(np.clip(caution * (start.velocity @ tangent), 0.0, fastest))
@@ -105,14 +105,14 @@ def _at_speed(
     duration = ramp + (length - ramp_length) / speed
     t = np.linspace(0.0, duration, knots)
     s, s_dot, s_ddot = _profile(t, first, speed, ramp, length)
-    d1, d2 = curve.at(s, 1), curve.at(s, 2)
+    positions, d1, d2 = curve.at(s)
     velocities = d1 * s_dot[:, None]
     accelerations = d2 * s_dot[:, None] ** 2 + d1 * s_ddot[:, None]
     turn = start.velocity - velocities[0]
     h, h_dot, h_ddot = _turn_blend(t, float(np.linalg.norm(turn)), duration, acceleration)
     return Trajectory(
         times=t,
-        positions=curve.at(s) + h[:, None] * turn,
+        positions=positions + h[:, None] * turn,
         velocities=velocities + h_dot[:, None] * turn,
         accelerations=accelerations + h_ddot[:, None] * turn,
     )

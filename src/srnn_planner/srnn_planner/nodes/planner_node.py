@@ -99,15 +99,15 @@ class PlannerNode(WorkspaceNode):
         if request is None:
             return
         trajectory = self._planner.plan(request).trajectory
+        planned = time.monotonic()
         if trajectory is None:
-            now = time.monotonic()
-            self._sequencer.failed(now - began, now)
+            self._sequencer.failed(planned - began, planned)
             return
         self._last_stamp = max(self.get_clock().now().nanoseconds, self._last_stamp + 1)
         knots = Segment(self._last_stamp, **vars(trajectory))
         self._segment.publish(segment.to_msg(knots))
+        self._planning_times.record(planned - began)
         now = time.monotonic()
-        self._planning_times.record(now - began)
         self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
         self.report_health()
         self._planner.prepare()
