@@ -10,6 +10,7 @@ import time
 import numpy as np
 import pytest
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+from std_srvs.srv import Trigger
 import yaml
 
 from srnn_bringup.config import Choices, load
@@ -140,3 +141,46 @@ def test_motion_goes_on_undisturbed_when_the_adapter_is_killed(watched):
     assert all(r.code is ResultCode.DONE for r in watched.results)
     chained = [s for s in watched.segments if s.stamp_ns in watched.done()[1:]]
     assert all(np.linalg.norm(s.velocities[0]) > 0.0 for s in chained[1:])
+
+
+def call(watched, kind, name, **fields):
+    client = watched.graph.node.create_client(kind, name)
+    watched.until(client.service_is_ready)
+    future = client.call_async(kind.Request(**fields))
+    watched.until(future.done)
+    return future.result()
+
+
+def stands_still(watched) -> bool:
+    watched.spin(0.5)
+    tail = np.array([p for t, p in watched.poses if t > watched.poses[-1][0] - 0.3])
+    return bool(np.ptp(tail, axis=0).max() < 0.0005)
+
+
+def test_stop_freezes_the_arm_until_reset_and_then_it_goes_on(watched):
+    assert call(watched, Trigger, 'tracker/stop').success
+    watched.until(lambda: any(r.code is ResultCode.FAULT for r in watched.results))
+    assert stands_still(watched)
+    watched.until(lambda: watched.results[-1].code is ResultCode.REJECTED)
+    before = len(watched.done())
+    assert call(watched, Trigger, 'tracker/reset').success
+    watched.until(lambda: len(watched.done()) >= before + 2)
+
+
+def test_pause_brings_the_arm_to_rest_and_resume_lets_it_go_on(watched):
+    assert call(watched, Trigger, 'tracker/pause').success
+    assert stands_still(watched)
+    before = len(watched.done())
+    assert call(watched, Trigger, 'tracker/resume').success
+    watched.until(lambda: len(watched.done()) >= before + 2)
+    assert not any(r.code is ResultCode.FAULT for r in watched.results)
+
+
+def test_weights_can_be_reverted_but_not_saved_without_a_file(watched):
+    assert call(watched, Trigger, 'adapter/revert').success
+    refused = call(watched, Trigger, 'adapter/save')
+    assert not refused.success
+    assert 'weights_file' in refused.message
+    running = call(watched, Trigger, 'sim_bridge/reset')
+    assert not running.success
+    assert 'deactivate' in running.message

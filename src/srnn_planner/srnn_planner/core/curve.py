@@ -67,7 +67,8 @@ def _even(coefficients: NDArray[np.float64], count: int) -> tuple[NDArray[np.flo
 def _powers(s: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return (n, DEGREE + 1): 1, s, s^2 and so on."""
     powers = np.ones((len(s), DEGREE + 1))
-    np.multiply.accumulate(np.broadcast_to(s[:, None], (len(s), DEGREE)), axis=1, out=powers[:, 1:])
+    for order in range(DEGREE):
+        powers[:, order + 1] = powers[:, order] * s
     return powers
 
 
