@@ -200,7 +200,7 @@ class LearningParameters(Parameters):
         0.3, above=0.0, maximum=1.0, doc='Upper limit of any learning signal.'
     )
     local_scale: float = parameter(
-        8.0, above=0.0, maximum=1000.0, doc='c of the local signals.'
+        12.0, above=0.0, maximum=1000.0, doc='c of the local signals.'
     )
     replays: int = parameter(
         20, minimum=1, maximum=1000, doc='Pairs of spike encodings learned per experience.'
