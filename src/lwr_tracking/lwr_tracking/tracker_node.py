@@ -31,8 +31,11 @@ PRIORITY = 49
 MAX_LAG = 0.01
 """Largest difference in time between joint state and external torque [s]."""
 
-SILENCE = 0.25
-"""Without joint states for this long the tracker stops until reset [s]."""
+SILENCE = 1.0
+"""Without joint states for this long the tracker stops until reset [s].
+
+Until then it just waits: without a joint state there is no command, and the arm holds.
+"""
 
 SECOND_LOOK = 0.05
 """Time to read what has arrived before silence counts [s]."""

@@ -110,8 +110,11 @@ def follow(signal, segments, seed):
 
 
 def test_touches_teach_the_way_round_and_without_learning_they_go_on():
-    with_learning = follow('local', 40, seed=3)
-    without = follow('none', 40, seed=3)
-    assert with_learning
-    assert len([n for n in with_learning if n >= 25]) <= 1
-    assert len([n for n in without if n >= 25]) >= 5
+    """Single runs are chaotic: four fixed seeds together, late touches only."""
+    seeds = range(3, 7)
+    learned = [n for seed in seeds for n in follow('local', 40, seed)]
+    ignorant = [n for seed in seeds for n in follow('none', 40, seed)]
+    late, late_without = (len([n for n in run if n >= 25]) for run in (learned, ignorant))
+    assert learned
+    assert late_without >= 30
+    assert late <= late_without // 8

@@ -169,7 +169,7 @@ class ScheduleParameters(Parameters):
         doc='Planning time assumed before any was measured.',
     )
     margin: float = parameter(
-        0.15, unit='s', minimum=0.0, maximum=5.0,
+        0.18, unit='s', minimum=0.0, maximum=5.0,
         doc='Added to mean + 3 sigma: transport, and the braking distance of the tracker.',
     )
     learning_wait: float = parameter(
