@@ -147,6 +147,19 @@ def test_same_seed_learns_the_same_weights():
     assert np.array_equal(first.weights, second.weights)
 
 
+@pytest.mark.parametrize('steps', [30, 100])
+def test_drawing_ahead_and_warming_up_change_no_lesson(steps):
+    path = np.linspace([-0.15, 0.0], [-0.05, 0.0], steps)
+    first, second = learner(seed=7), learner(seed=7)
+    second.warm_up()
+    for _ in range(2):
+        first.learn(path, stopped(path, steps // 3))
+        second.prepare()
+        second.learn(path, stopped(path, steps // 3))
+    assert first.updates == second.updates == 2
+    assert np.array_equal(first.weights, second.weights)
+
+
 def test_paths_that_do_not_belong_together_are_refused():
     a_learner = learner()
     with pytest.raises(PairingError):

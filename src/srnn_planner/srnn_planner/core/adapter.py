@@ -14,6 +14,9 @@ from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.plasticity import Experience
 from srnn_planner.core.state_neurons import StateNeurons
 
+STEPS_AHEAD = 64
+"""Random numbers are drawn ahead for segments of this many steps; longer ones draw more."""
+
 
 @dataclass(frozen=True, eq=False)
 class Lesson:
@@ -47,14 +50,26 @@ class Learner:
         self.updates = 0
         self._signal = learning_signal(model.learning)
         self._rng = rng
+        self._uniforms: NDArray[np.float32] | None = None
 
     def warm_up(self) -> None:
-        """Compile every kernel without touching weights or random numbers."""
-        still = np.zeros((4, self.model.network.neurons))
-        uniforms = np.zeros((1, 2, *still.shape), dtype=np.float32)
-        plasticity_kernel.replay(
-            self.weights, Experience(still, still, still), uniforms, self.model.network.tau
-        )
+        """Compile every kernel, and work through one lesson that teaches nothing."""
+        self.prepare()
+        assert self._uniforms is not None
+        neurons = self.model.network.neurons
+        uniforms = self._uniforms.reshape(self.model.learning.replays, 2, STEPS_AHEAD, neurons)
+        path = np.linspace(np.zeros(self.model.network.dimensions), 0.3, STEPS_AHEAD)
+        omega = self.neurons.responsibilities(path)
+        probability = spike_probability(omega, self.model.learning)
+        nothing = Experience(probability, probability, np.zeros_like(omega))
+        plasticity_kernel.replay(self.weights, nothing, uniforms, self.model.network.tau)
+
+    def prepare(self) -> None:
+        """Draw the random numbers of the next lesson ahead of time; changes no lesson."""
+        if self._uniforms is None:
+            replays, neurons = self.model.learning.replays, self.model.network.neurons
+            count = replays * 2 * STEPS_AHEAD * neurons
+            self._uniforms = self._rng.random(count, dtype=np.float32)
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
         """Go on from other weights, all or nothing.
@@ -97,7 +112,13 @@ class Learner:
 
     def _replay(self, experience: Experience) -> None:
         size = (self.model.learning.replays, 2, *experience.rates.shape)
-        uniforms = self._rng.random(size, dtype=np.float32)
+        self.prepare()
+        assert self._uniforms is not None
+        drawn, self._uniforms = self._uniforms, None
+        missing = int(np.prod(size)) - drawn.size
+        if missing > 0:
+            drawn = np.concatenate([drawn, self._rng.random(missing, dtype=np.float32)])
+        uniforms = drawn[: np.prod(size)].reshape(size)
         self.weights = plasticity_kernel.replay(
             self.weights, experience, uniforms, self.model.network.tau
         )
