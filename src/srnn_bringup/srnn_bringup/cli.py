@@ -17,7 +17,7 @@ from srnn_config import ConfigError
 from srnn_planner.core.dissonance import SIGNALS
 from srnn_planner.core.errors import SrnnError
 
-SEGMENTS = 180
+SEGMENTS = 150
 """About two minutes of the standard scene."""
 
 SEGMENTS_MAX = 100_000

@@ -40,6 +40,15 @@ def test_three_sigma_averages_over_both_ways_where_mode_seeking_does_not(rng):
     assert np.ptp(angles[mode_seeking(displacement, 0.2)]) < 0.6
 
 
+def test_mode_seeking_is_not_drawn_to_samples_that_hardly_move(rng):
+    """As before a wall: many small steps in all directions, some long ones along it."""
+    idle = fan(rng.uniform(-np.pi, np.pi, 24), length=0.02)
+    onward = fan(rng.normal(1.2, 0.05, 16), length=0.3)
+    displacement = np.vstack([idle, onward])
+    kept = mode_seeking(displacement, 0.2)
+    assert np.linalg.norm(displacement[kept].mean(axis=0)) > 0.2
+
+
 @given(seed=st.integers(0, 2**32 - 1))
 def test_selection_does_not_depend_on_the_order_of_samples(seed):
     rng = np.random.default_rng(seed)

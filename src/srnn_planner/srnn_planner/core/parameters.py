@@ -115,7 +115,7 @@ class SelectionParameters(Parameters):
 
     rule: str = parameter(
         'mode_seeking', choices=('three_sigma', 'mode_seeking'),
-        doc="The paper's three-sigma rule on directions, or the densest mode alone.",
+        doc="The paper's three-sigma rule on directions, or the densest mode of them alone.",
     )
     majority: float = parameter(
         0.9, above=0.0, maximum=1.0,

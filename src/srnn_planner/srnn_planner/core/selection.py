@@ -37,18 +37,20 @@ def three_sigma(displacement: NDArray[np.float64], majority: float) -> NDArray[n
 def mode_seeking(displacement: NDArray[np.float64], share: float) -> NDArray[np.bool_]:
     """Keep the densest mode: a reference sample and its nearest `share` of the samples.
 
-    The reference has the least mean distance of displacement vectors to its nearest
-    `share`. Two ways round an obstacle are two modes, whose mean would go nowhere.
+    The reference has the least mean angle to its nearest `share`. Two ways round an
+    obstacle are two modes, whose mean would go nowhere. Directions are compared, not
+    displacements: among these the samples that hardly move are the densest mode, and
+    the arm would dither where it has to find a way.
 
     Args:
         displacement: (S, d) last minus first point of each sample.
         share: share of the population that forms the mode.
 
     """
-    distance = np.linalg.norm(displacement[:, None] - displacement[None], axis=2)
-    reference = int(np.argmin(_closest(distance, share).mean(axis=1)))
+    angle = pairwise_angles(displacement)
+    reference = int(np.argmin(_closest(angle, share).mean(axis=1)))
     kept = np.zeros(len(displacement), dtype=bool)
-    kept[np.argsort(distance[reference], kind='stable')[: _count(len(displacement), share)]] = True
+    kept[np.argsort(angle[reference], kind='stable')[: _count(len(displacement), share)]] = True
     return kept
 
 
