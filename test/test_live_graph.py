@@ -130,8 +130,12 @@ def test_arm_comes_to_rest_on_the_path_when_the_planner_is_killed_and_goes_on_wi
     watched.graph.restart('planner')
     new = lambda: [stamp for stamp in watched.done() if stamp not in known]  # noqa: E731
     watched.until(lambda: len(new()) >= 2)
-    accepted_after = 1e-9 * new()[0] - time.time() + time.monotonic() - began
-    print(f'planner killed: the first segment of its successor came after {accepted_after:.2f} s')
+    to_steady = time.monotonic() - time.time() - began
+    first = min(s.stamp_ns for s in watched.segments if s.stamp_ns not in known)
+    print(
+        f'planner killed: its successor sent a segment after {1e-9 * first + to_steady:.2f} s, '
+        f'one that was executed after {1e-9 * new()[0] + to_steady:.2f} s'
+    )
 
 
 def test_motion_goes_on_undisturbed_when_the_adapter_is_killed(watched):

@@ -14,6 +14,7 @@ DISCOVERY_RANGE = 'ROS_AUTOMATIC_DISCOVERY_RANGE'
 DISCOVERY_RANGES = ('LOCALHOST', 'SUBNET', 'OFF', 'SYSTEM_DEFAULT')
 
 PROFILES = 'FASTRTPS_DEFAULT_PROFILES_FILE'
+TRANSPORTS = 'FASTDDS_BUILTIN_TRANSPORTS'
 
 _THREADS = ('OPENBLAS_NUM_THREADS', 'OMP_NUM_THREADS', 'MKL_NUM_THREADS', 'NUMBA_NUM_THREADS')
 
@@ -44,6 +45,8 @@ def graph_environment(environ: Mapping[str, str]) -> dict[str, str]:
     defaults = {
         DISCOVERY_RANGE: 'LOCALHOST',
         PROFILES: str(config_directory() / 'fastdds.xml'),
+        # After a SIGKILL, shared memory delays the successor of the process by seconds.
+        TRANSPORTS: 'UDPv4',
     }
     # Matrices here are small: more threads only get in the way of the real-time loops.
     defaults.update(dict.fromkeys(_THREADS, '1'))

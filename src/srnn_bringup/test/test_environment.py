@@ -7,6 +7,7 @@ from srnn_bringup.environment import (
     DISCOVERY_RANGE,
     DOMAIN_ID,
     PROFILES,
+    TRANSPORTS,
     check_environment,
     graph_environment,
 )
@@ -21,6 +22,11 @@ def test_the_graph_stays_on_this_host_unless_the_user_decides_otherwise():
 def test_new_participants_announce_themselves_often_unless_the_user_decides_otherwise():
     assert Path(graph_environment({})[PROFILES]).is_file()
     assert graph_environment({PROFILES: 'mine.xml'})[PROFILES] == 'mine.xml'
+
+
+def test_the_graph_talks_over_udp_unless_the_user_decides_otherwise():
+    assert graph_environment({})[TRANSPORTS] == 'UDPv4'
+    assert graph_environment({TRANSPORTS: 'SHM'})[TRANSPORTS] == 'SHM'
 
 
 def test_the_domain_is_that_of_the_user():
