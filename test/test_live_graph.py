@@ -113,6 +113,8 @@ def test_arm_comes_to_rest_on_the_path_when_the_planner_is_killed_and_goes_on_wi
 ):
     watched.kill('planner')
     killed = time.monotonic()
+    # What it sent last may still be on its way.
+    watched.spin(0.2)
     accepted = {s.stamp_ns: s for s in watched.segments}
     watched.until(lambda: accepted and set(accepted) <= {r.stamp_ns for r in watched.results})
     watched.spin(0.5)
