@@ -6,21 +6,21 @@ from dataclasses import dataclass
 from enum import Enum
 from importlib import import_module, metadata
 import os
-from pathlib import Path
 import resource
-import shutil
 import sys
 
 from srnn_bringup.config import Choices, config_directory, load, scene_names
-from srnn_bringup.environment import DISCOVERY_RANGE
+from srnn_bringup.environment import (
+    DISCOVERY_RANGE,
+    DOMAIN_ID,
+    FAST_DDS,
+    MIDDLEWARE,
+    uses_loopback,
+)
 from srnn_bringup.errors import BringupError
 from srnn_config import ConfigError
 
 PYTHON = (3, 11)
-SHARED_MEMORY = Path('/dev/shm')
-SHARED_MEMORY_MIB = 32
-"""Every process of the graph takes about half a MiB; less than this is asking for trouble."""
-
 NEEDED = (
     'numpy', 'numba', 'mujoco', 'yaml', 'matplotlib', 'rclpy', 'lifecycle_msgs',
     'std_msgs', 'std_srvs', 'geometry_msgs', 'nav_msgs', 'sensor_msgs', 'trajectory_msgs',
@@ -71,7 +71,6 @@ def examine(environ: Mapping[str, str] = os.environ) -> Iterator[Finding]:
         yield _package(name)
     yield _configuration()
     yield from _rights()
-    yield _shared_memory(SHARED_MEMORY)
     yield from _middleware(environ)
 
 
@@ -118,26 +117,17 @@ def _rights() -> Iterator[Finding]:
     yield Finding('locked memory', Verdict.OK if unlimited else Verdict.NOTE, words)
 
 
-def _shared_memory(place: Path) -> Finding:
-    try:
-        free = shutil.disk_usage(place).free >> 20
-        left = sum(1 for _ in place.glob('fastrtps_*'))
-    except OSError as error:
-        return Finding('shared memory', Verdict.NOTE, f'{error}; slower transports are used')
-    words = f'{free} MiB free in {place}, {left} files of the middleware'
-    if free < SHARED_MEMORY_MIB:
-        return Finding('shared memory', Verdict.NOTE, f'{words}; `fastdds shm clean` helps')
-    return Finding('shared memory', Verdict.OK, words)
-
-
 def _middleware(environ: Mapping[str, str]) -> Iterator[Finding]:
-    wide = environ.get(DISCOVERY_RANGE)
-    words = wide or 'LOCALHOST, unless set'
-    local = wide in (None, 'LOCALHOST', 'OFF')
-    risk = '' if local else ': other hosts can take part, and command the arm'
-    yield Finding('discovery range', Verdict.OK if local else Verdict.NOTE, words + risk)
-    yield Finding('ROS_DOMAIN_ID', Verdict.OK, environ.get('ROS_DOMAIN_ID', '0, unless set'))
-    middleware = environ.get('RMW_IMPLEMENTATION', 'rmw_fastrtps_cpp')
-    tested = middleware == 'rmw_fastrtps_cpp'
-    words = middleware if tested else f'{middleware}: only rmw_fastrtps_cpp is tested'
-    yield Finding('RMW_IMPLEMENTATION', Verdict.OK if tested else Verdict.NOTE, words)
+    if uses_loopback(environ):
+        yield Finding('discovery', Verdict.OK, 'this host only, over the loopback interface')
+    else:
+        wide = environ.get(DISCOVERY_RANGE) or 'LOCALHOST'
+        local = wide in ('LOCALHOST', 'OFF')
+        words = f'{DISCOVERY_RANGE} = {wide}, with transports of your choice'
+        risk = '' if local else ': other hosts can take part, and command the arm'
+        yield Finding('discovery', Verdict.OK if local else Verdict.NOTE, words + risk)
+    yield Finding(DOMAIN_ID, Verdict.OK, environ.get(DOMAIN_ID) or '0, unless set')
+    middleware = environ.get(MIDDLEWARE) or FAST_DDS
+    tested = middleware == FAST_DDS
+    words = middleware if tested else f'{middleware}: only {FAST_DDS} is tested'
+    yield Finding(MIDDLEWARE, Verdict.OK if tested else Verdict.NOTE, words)

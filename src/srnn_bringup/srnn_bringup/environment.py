@@ -14,7 +14,17 @@ DISCOVERY_RANGE = 'ROS_AUTOMATIC_DISCOVERY_RANGE'
 DISCOVERY_RANGES = ('LOCALHOST', 'SUBNET', 'OFF', 'SYSTEM_DEFAULT')
 
 PROFILES = 'FASTRTPS_DEFAULT_PROFILES_FILE'
-TRANSPORTS = 'FASTDDS_BUILTIN_TRANSPORTS'
+
+_CHOSEN_BY_USER = (
+    PROFILES,
+    'FASTDDS_DEFAULT_PROFILES_FILE',
+    'FASTDDS_BUILTIN_TRANSPORTS',
+    'ROS_STATIC_PEERS',
+)
+"""Whoever sets one of these wants something else than the loopback profile."""
+
+MIDDLEWARE = 'RMW_IMPLEMENTATION'
+FAST_DDS = 'rmw_fastrtps_cpp'
 
 _THREADS = ('OPENBLAS_NUM_THREADS', 'OMP_NUM_THREADS', 'MKL_NUM_THREADS', 'NUMBA_NUM_THREADS')
 
@@ -36,18 +46,30 @@ def check_environment(environ: Mapping[str, str]) -> None:
         )
 
 
+def uses_loopback(environ: Mapping[str, str]) -> bool:
+    """Tell whether the graph talks over the loopback interface, by `config/fastdds.xml`.
+
+    So it does unless the user chose a wider range, another middleware or other transports.
+    """
+    return (
+        (environ.get(DISCOVERY_RANGE) or 'LOCALHOST') == 'LOCALHOST'
+        and (environ.get(MIDDLEWARE) or FAST_DDS) == FAST_DDS
+        and not any(environ.get(name) for name in _CHOSEN_BY_USER)
+    )
+
+
 def graph_environment(environ: Mapping[str, str]) -> dict[str, str]:
     """Return the environment of the whole graph.
 
-    Unless the user decided otherwise, nobody outside this host takes part, and new
-    participants announce themselves often. The ROS_DOMAIN_ID is that of the user.
+    Unless the user decided otherwise, nobody outside this host takes part, and a node
+    that was restarted is found at once. The ROS_DOMAIN_ID is that of the user.
     """
-    defaults = {
-        DISCOVERY_RANGE: 'LOCALHOST',
-        PROFILES: str(config_directory() / 'fastdds.xml'),
-        # After a SIGKILL, shared memory delays the successor of the process by seconds.
-        TRANSPORTS: 'UDPv4',
-    }
     # Matrices here are small: more threads only get in the way of the real-time loops.
-    defaults.update(dict.fromkeys(_THREADS, '1'))
-    return {**defaults, **environ, 'PYTHONUNBUFFERED': '1'}
+    defaults = {DISCOVERY_RANGE: 'LOCALHOST', **dict.fromkeys(_THREADS, '1')}
+    given = {name: value for name, value in environ.items() if value or name not in defaults}
+    chosen = {**defaults, **given, 'PYTHONUNBUFFERED': '1'}
+    if uses_loopback(environ):
+        # For its LOCALHOST, the middleware would add shared memory to what a profile says.
+        chosen[DISCOVERY_RANGE] = 'SYSTEM_DEFAULT'
+        chosen[PROFILES] = str(config_directory() / 'fastdds.xml')
+    return chosen

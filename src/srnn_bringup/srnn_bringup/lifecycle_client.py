@@ -2,10 +2,10 @@
 """Moves a managed node through its lifecycle from outside."""
 
 from collections.abc import Callable
-from typing import Any
+import time
 
-from lifecycle_msgs.msg import Transition
-from lifecycle_msgs.srv import ChangeState
+from lifecycle_msgs.msg import State, Transition
+from lifecycle_msgs.srv import ChangeState, GetState
 from rclpy.node import Node
 
 from srnn_bringup.errors import NotReadyError, TransitionError
@@ -14,11 +14,15 @@ from srnn_bringup.pump import Pump
 DISCOVERY_S = 20.0
 """Longest wait for a process to start and its services to be discovered [s]."""
 
+ASK_AGAIN_S = 2.0
+"""A node that has not answered by then is asked for its state [s]."""
+
 _TRANSITIONS = {
-    'configure': Transition.TRANSITION_CONFIGURE,
-    'activate': Transition.TRANSITION_ACTIVATE,
-    'deactivate': Transition.TRANSITION_DEACTIVATE,
+    'configure': (Transition.TRANSITION_CONFIGURE, State.PRIMARY_STATE_INACTIVE),
+    'activate': (Transition.TRANSITION_ACTIVATE, State.PRIMARY_STATE_ACTIVE),
+    'deactivate': (Transition.TRANSITION_DEACTIVATE, State.PRIMARY_STATE_INACTIVE),
 }
+"""Transition and the state that it leads to."""
 
 
 class LifecycleClient:
@@ -35,10 +39,14 @@ class LifecycleClient:
         """
         self.name = name
         self._reason = reason
-        self._client = node.create_client(ChangeState, f'{name}/change_state')
+        self._change = node.create_client(ChangeState, f'{name}/change_state')
+        self._state = node.create_client(GetState, f'{name}/get_state')
 
     def change(self, transition: str, pump: Pump, seconds: float) -> None:
         """Request a transition and wait for its end.
+
+        The middleware may lose an answer to a client that the node has not discovered
+        yet; therefore the state of a node that does not answer counts as well.
 
         Args:
             transition: configure, activate or deactivate.
@@ -50,14 +58,31 @@ class LifecycleClient:
             TransitionError: the node refuses, or its transition fails.
 
         """
-        if not pump.until(self._client.service_is_ready, DISCOVERY_S):
+        if not pump.until(self._ready, DISCOVERY_S):
             raise NotReadyError(f'{self.name} cannot be reached within {DISCOVERY_S:g} s')
-        request = ChangeState.Request(transition=Transition(id=_TRANSITIONS[transition]))
-        future: Any = self._client.call_async(request)
-        if not pump.until(future.done, seconds):
-            self._client.remove_pending_request(future)
-            raise NotReadyError(f'{self.name} does not {transition} within {seconds:g} s')
-        if not future.result().success:
+        number, goal = _TRANSITIONS[transition]
+        request = ChangeState.Request(transition=Transition(id=number))
+        answer = self._change.call_async(request)
+        end = time.monotonic() + seconds
+        while not pump.until(answer.done, min(ASK_AGAIN_S, end - time.monotonic())):
+            if self._state_is(goal, pump, end):
+                self._change.remove_pending_request(answer)
+                return
+            if time.monotonic() >= end:
+                self._change.remove_pending_request(answer)
+                raise NotReadyError(f'{self.name} does not {transition} within {seconds:g} s')
+        if not answer.result().success:
             reason = self._reason()
             why = f': {reason}' if reason else '; it is in another state'
             raise TransitionError(f'{self.name} refuses to {transition}{why}')
+
+    def _ready(self) -> bool:
+        return self._change.service_is_ready() and self._state.service_is_ready()
+
+    def _state_is(self, goal: int, pump: Pump, end: float) -> bool:
+        answer = self._state.call_async(GetState.Request())
+        if pump.until(answer.done, min(ASK_AGAIN_S, end - time.monotonic())):
+            current: int = answer.result().current_state.id
+            return current == goal
+        self._state.remove_pending_request(answer)
+        return False

@@ -16,13 +16,20 @@ def test_nothing_is_missing_where_the_tests_run():
     assert 'four_waypoints' in found['configuration'].words
 
 
-def test_being_open_to_other_hosts_is_noted():
-    assert findings({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'})['discovery range'].verdict is (
-        Verdict.OK
-    )
-    noted = findings({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'})['discovery range']
-    assert noted.verdict is Verdict.NOTE
-    assert 'other hosts' in noted.words
+@pytest.mark.parametrize(
+    ('environ', 'verdict', 'words'),
+    [
+        ({}, Verdict.OK, 'loopback'),
+        ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}, Verdict.OK, 'loopback'),
+        ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF'}, Verdict.OK, 'OFF'),
+        ({'FASTDDS_BUILTIN_TRANSPORTS': 'SHM'}, Verdict.OK, 'LOCALHOST'),
+        ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}, Verdict.NOTE, 'other hosts'),
+    ],
+)
+def test_being_open_to_other_hosts_is_noted(environ, verdict, words):
+    found = findings(environ)['discovery']
+    assert found.verdict is verdict
+    assert words in found.words
 
 
 def test_untested_middleware_is_noted():

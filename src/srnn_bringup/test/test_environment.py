@@ -3,30 +3,53 @@ from pathlib import Path
 
 import pytest
 
+from srnn_bringup.config import config_directory
 from srnn_bringup.environment import (
     DISCOVERY_RANGE,
     DOMAIN_ID,
+    FAST_DDS,
+    MIDDLEWARE,
     PROFILES,
-    TRANSPORTS,
     check_environment,
     graph_environment,
 )
 from srnn_bringup.errors import ChoiceError
 
-
-def test_the_graph_stays_on_this_host_unless_the_user_decides_otherwise():
-    assert graph_environment({})[DISCOVERY_RANGE] == 'LOCALHOST'
-    assert graph_environment({DISCOVERY_RANGE: 'SUBNET'})[DISCOVERY_RANGE] == 'SUBNET'
+LOOPBACK = {DISCOVERY_RANGE: 'SYSTEM_DEFAULT', PROFILES: str(config_directory() / 'fastdds.xml')}
 
 
-def test_new_participants_announce_themselves_often_unless_the_user_decides_otherwise():
-    assert Path(graph_environment({})[PROFILES]).is_file()
-    assert graph_environment({PROFILES: 'mine.xml'})[PROFILES] == 'mine.xml'
+@pytest.mark.parametrize(
+    'environ', [{}, {DISCOVERY_RANGE: ''}, {DISCOVERY_RANGE: 'LOCALHOST'}, {MIDDLEWARE: FAST_DDS}]
+)
+def test_the_graph_talks_over_the_loopback_interface(environ):
+    assert graph_environment(environ).items() >= LOOPBACK.items()
+    assert Path(LOOPBACK[PROFILES]).is_file()
 
 
-def test_the_graph_talks_over_udp_unless_the_user_decides_otherwise():
-    assert graph_environment({})[TRANSPORTS] == 'UDPv4'
-    assert graph_environment({TRANSPORTS: 'SHM'})[TRANSPORTS] == 'SHM'
+@pytest.mark.parametrize(
+    'environ',
+    [
+        {DISCOVERY_RANGE: 'SUBNET'},
+        {DISCOVERY_RANGE: 'LOCALHOST', PROFILES: 'mine.xml'},
+        {DISCOVERY_RANGE: 'SYSTEM_DEFAULT', PROFILES: 'mine.xml'},
+        {DISCOVERY_RANGE: 'LOCALHOST', 'FASTDDS_BUILTIN_TRANSPORTS': 'SHM'},
+        {DISCOVERY_RANGE: 'LOCALHOST', MIDDLEWARE: 'rmw_other'},
+    ],
+)
+def test_the_user_may_decide_otherwise(environ):
+    chosen = graph_environment(environ)
+    assert chosen.items() >= environ.items()
+    assert chosen.get(PROFILES) == environ.get(PROFILES)
+
+
+def test_whatever_else_the_user_decides_the_graph_stays_on_this_host():
+    assert graph_environment({MIDDLEWARE: 'rmw_other'})[DISCOVERY_RANGE] == 'LOCALHOST'
+    assert graph_environment({PROFILES: 'mine.xml'})[DISCOVERY_RANGE] == 'LOCALHOST'
+
+
+def test_the_environment_of_the_graph_is_that_of_its_own_processes():
+    once = graph_environment({'PATH': '/bin'})
+    assert graph_environment(once) == once
 
 
 def test_the_domain_is_that_of_the_user():
