@@ -77,12 +77,12 @@ class LifecycleClient:
             raise TransitionError(f'{self.name} refuses to {transition}{why}')
 
     def _ready(self) -> bool:
-        return self._change.service_is_ready() and self._state.service_is_ready()
+        clients = (self._change, self._state)
+        return all(client.service_is_ready() for client in clients)
 
     def _state_is(self, goal: int, pump: Pump, end: float) -> bool:
         answer = self._state.call_async(GetState.Request())
         if pump.until(answer.done, min(ASK_AGAIN_S, end - time.monotonic())):
-            current: int = answer.result().current_state.id
-            return current == goal
+            return bool(answer.result().current_state.id == goal)
         self._state.remove_pending_request(answer)
         return False

@@ -9,6 +9,10 @@ from numpy.typing import NDArray
 from srnn_planner.core.parameters import LearningParameters
 
 
+RESOLUTION = 2.0**-24
+"""Smaller probabilities are 0: random numbers in single precision cannot tell them apart."""
+
+
 def spike_probability(
     responsibilities: NDArray[np.float64], parameters: LearningParameters
 ) -> NDArray[np.float64]:
@@ -20,7 +24,8 @@ def spike_probability(
     """
     rate = np.clip(parameters.rate_scale * responsibilities, 0.0, parameters.rate_limit)
     below = sum(rate**n / math.factorial(n) for n in range(parameters.spike_count))
-    return np.asarray(np.clip(1.0 - np.exp(-rate) * below, 0.0, 1.0))
+    probability = 1.0 - np.exp(-rate) * below
+    return np.asarray(np.where(probability < RESOLUTION, 0.0, probability))
 
 
 def encode(

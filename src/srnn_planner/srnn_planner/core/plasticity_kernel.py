@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The compiled replay: bit for bit the weights of `plasticity.replay`."""
+"""The compiled replay: bit for bit the weights of `plasticity.replay`.
+
+Only neurons that can spike are looked at, and only weights to neurons that learn.
+"""
 
 import numba
 import numpy as np
@@ -15,28 +18,34 @@ def replay(
     tau: int,
 ) -> NDArray[np.float32]:
     """Learn R encodings of one experience; see `plasticity.replay`."""
-    return _replay(
-        weights, experience.executed, experience.mental, experience.rates, uniforms, tau
-    )
+    executed, mental, rates = experience.executed, experience.mental, experience.rates
+    spiking = np.flatnonzero(((executed > 0.0) | (mental > 0.0)).any(axis=0))
+    learning = np.flatnonzero(rates.any(axis=0))
+    incoming = weights[:, learning].T.astype(np.float64)
+    _replay(incoming, learning, spiking, executed, mental, rates, uniforms, tau)
+    updated = weights.copy()
+    updated[:, learning] = incoming.T
+    return updated
 
 
 @numba.njit(cache=True)
-def _replay(weights, executed, mental, rates, uniforms, tau):
+def _replay(incoming, learning, spiking, executed, mental, rates, uniforms, tau):
     replays, _, steps, neurons = uniforms.shape
-    updated = weights.astype(np.float64)
     executed_last = np.empty(neurons, dtype=np.int64)
     mental_last = np.empty(neurons, dtype=np.int64)
     potential = np.empty(neurons, dtype=np.int64)
+    row = np.full(neurons, -1)
+    row[learning] = np.arange(len(learning))
     for r in range(replays):
         executed_last[:] = -tau - 1
         mental_last[:] = -tau - 1
         for t in range(steps):
             active = 0
-            for k in range(neurons):
+            for k in spiking:
                 if t - executed_last[k] <= tau:
                     potential[active] = k
                     active += 1
-            for i in range(neurons):
+            for i in spiking:
                 difference = 0.0
                 if uniforms[r, 0, t, i] < executed[t, i] and t - executed_last[i] > tau:
                     executed_last[i] = t
@@ -47,8 +56,7 @@ def _replay(weights, executed, mental, rates, uniforms, tau):
                 if difference != 0.0 and rates[t, i] != 0.0:
                     change = rates[t, i] * difference
                     for n in range(active):
-                        updated[potential[n], i] += change
-        for k in range(neurons):
-            for i in range(neurons):
-                updated[k, i] = min(1.0, max(-1.0, updated[k, i]))
-    return updated.astype(np.float32)
+                        incoming[row[i], potential[n]] += change
+        for n in range(len(learning)):
+            for k in spiking:
+                incoming[n, k] = min(1.0, max(-1.0, incoming[n, k]))

@@ -61,13 +61,20 @@ def _sample(
     u = np.empty(neurons)
     last = np.empty(neurons, dtype=np.int32)
     begun = np.empty(neurons, dtype=np.int64)
+    # Neurons by the step of their spike, modulo tau + 1: those whose potential ends next.
+    ring = np.empty((tau + 1, neurons), dtype=np.int32)
+    ring_count = np.empty(tau + 1, dtype=np.int64)
     context_last = np.empty(context_neurons, dtype=np.int64)
     for s in range(samples):
-        _begin(s, history, weights, positions, tau, u, last, activity)
+        _begin(s, history, weights, positions, tau, u, last, activity, ring, ring_count)
         context_last[:] = -tau - 1
         begun_count = 0
         for t in range(steps):
-            _advance_potentials(t, tau, weights, u, last, begun, begun_count)
+            slot = t % (tau + 1)
+            _advance_potentials(
+                t, tau, weights, u, last, begun, begun_count, ring[slot], ring_count[slot]
+            )
+            ring_count[slot] = 0
             _advance_context(
                 t, tau, s, theta, context_probability, context_uniforms, u, context_last
             )
@@ -91,6 +98,8 @@ def _sample(
                         begun[begun_count] = k
                         begun_count += 1
                     last[k] = t
+                    ring[slot, ring_count[slot]] = k
+                    ring_count[slot] += 1
                     _count(activity, s, tau + t, positions, k)
     return spikes, activity
 
@@ -104,25 +113,30 @@ def _count(activity, s, step, positions, k):
 
 
 @numba.njit(cache=True)
-def _begin(s, history, weights, positions, tau, u, last, activity):
+def _begin(s, history, weights, positions, tau, u, last, activity, ring, ring_count):
     neurons = len(u)
     u[:] = 0.0
+    ring_count[:] = 0
     for k in range(neurons):
         last[k] = history[s, k]
         if last[k] >= -tau:
+            slot = last[k] % (tau + 1)
+            ring[slot, ring_count[slot]] = k
+            ring_count[slot] += 1
             _count(activity, s, tau + last[k], positions, k)
             for i in range(neurons):
                 u[i] += weights[k, i]
 
 
 @numba.njit(cache=True)
-def _advance_potentials(t, tau, weights, u, last, begun, begun_count):
+def _advance_potentials(t, tau, weights, u, last, begun, begun_count, ending, ending_count):
     neurons = len(u)
     for n in range(begun_count):
         k = begun[n]
         for i in range(neurons):
             u[i] += weights[k, i]
-    for k in range(neurons):
+    for n in range(ending_count):
+        k = ending[n]
         if t - last[k] == tau + 1:
             for i in range(neurons):
                 u[i] -= weights[k, i]
