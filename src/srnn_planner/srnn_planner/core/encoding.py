@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from srnn_planner.core.parameters import LearningParameters
 
-
 RESOLUTION = 2.0**-24
 """Smaller probabilities are 0: random numbers in single precision cannot tell them apart."""
 
