@@ -63,6 +63,7 @@ def sampling_calls() -> tuple[Callable[[], object], Callable[[], object]]:
     given = SampleInput(
         neurons.prior_weights,
         context,
+        np.zeros(network.neurons),
         draw_history(start, sampling.samples, network.tau, rng),
         thin(
             rng.random((*size, network.neurons), dtype=np.float32), network.spike_probability_max

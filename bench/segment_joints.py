@@ -17,7 +17,10 @@ import numpy as np
 from lwr_description import JOINT_NAMES
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_config.scene import load_scene
-from srnn_experiments.lockstep import LockStep
+from srnn_experiments.agent import Brain
+from srnn_experiments.mujoco_world import MujocoWorld
+from srnn_experiments.setting import Setting
+from srnn_experiments.trial import make_agent, make_run, make_world
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 
 ROOT = Path(__file__).parents[1]
@@ -32,10 +35,13 @@ def record(seed: int = 4) -> tuple[dict[str, np.ndarray], list[float]]:
 
     """
     scene = replace(load_scene(ROOT / 'config/scenes/four_waypoints.yaml'), obstacles=())
-    world = LockStep(scene, seed, ModelParameters(), PlanningParameters())
+    setting = Setting(scene, Brain(ModelParameters(), PlanningParameters()), SEGMENTS)
+    world = make_world(setting, seed)
+    assert isinstance(world, MujocoWorld)
+    run = make_run(setting, world, make_agent(setting, seed))
     rows, joints, ended = [], [], 0
-    while len(world.log.results) < SEGMENTS:
-        world.cycle()
+    while len(run.records) < SEGMENTS:
+        run.cycle()
         reference = world.tracker.reference
         if reference is None or world.command is None:
             continue
@@ -45,8 +51,8 @@ def record(seed: int = 4) -> tuple[dict[str, np.ndarray], list[float]]:
                  reference.velocity[:2], world.command]
             )
         )  # fmt: skip
-        if len(world.log.results) > ended:
-            ended = len(world.log.results)
+        if len(run.records) > ended:
+            ended = len(run.records)
             joints.append(world.arm.time)
     table = np.array(rows)
     columns = {'t': slice(0, 1), 'reference': slice(1, 3), 'measured': slice(3, 5),

@@ -3,7 +3,7 @@
 
 from typing import TextIO
 
-from srnn_bringup.recorder import SegmentRecord
+from srnn_experiments.segment_record import SegmentRecord
 from srnn_msgs_py.result import ResultCode, SegmentResult
 
 COLUMNS = ('segment', 'way point', 'planned', 'length', 'time', 'result', 'dissonance', 'updates')

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_bringup.config import Configuration
-from srnn_bringup.outline import outline
-from srnn_bringup.recorder import SegmentRecord
+from srnn_config.geometry import outline
 from srnn_config.scene import EDGE, Scene
+from srnn_experiments.segment_record import SegmentRecord
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synaptic_change import input_change, output_change
 

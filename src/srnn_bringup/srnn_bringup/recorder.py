@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from srnn_bringup.config import Configuration
+from srnn_experiments.segment_record import SegmentRecord
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health
 from srnn_msgs_py.result import ResultCode, SegmentResult
@@ -18,52 +18,6 @@ from srnn_planner.core.workspace import Workspace
 
 LATE = 2
 """A segment whose lesson is still missing when this many later ones are over gets none."""
-
-
-@dataclass(frozen=True, eq=False)
-class SegmentRecord:
-    """One segment that the arm has executed, or begun to.
-
-    Attributes:
-        number: 1 for the first segment of the run.
-        plan: the segment as it was sent.
-        executed: what the arm did.
-        result: how it ended.
-        lesson: what the adapter made of it; None if nothing was heard.
-        planning_ms: time that planning took [ms]; None if nothing was heard.
-        before: the task when the segment ended.
-        after: the task with its end taken into account.
-
-    """
-
-    number: int
-    plan: Segment
-    executed: ExecutedPath
-    result: SegmentResult
-    lesson: Dissonance | None
-    planning_ms: float | None
-    before: WaypointTask
-    after: WaypointTask
-
-    @property
-    def touched(self) -> bool:
-        """Tell whether the segment ended in a contact."""
-        return self.result.code is ResultCode.BLOCKED
-
-    @property
-    def updated(self) -> bool:
-        """Tell whether the segment changed the weights."""
-        return self.lesson is not None and self.lesson.updated
-
-    @property
-    def length(self) -> float:
-        """Length of the planned path [m]."""
-        return path_length(self.plan.positions)
-
-    @property
-    def reached(self) -> bool:
-        """Tell whether the segment ended at its way point."""
-        return self.after.reached > self.before.reached
 
 
 @dataclass(eq=False)
@@ -180,8 +134,3 @@ def start_recording(configuration: Configuration) -> Recorder:
     waypoints = workspace.to_units(np.array(scene.waypoints))
     radius = scene.task.reach_radius / workspace.half_extent
     return Recorder(WaypointTask(waypoints, radius), workspace)
-
-
-def path_length(positions: NDArray[np.float64]) -> float:
-    """Return the length [m] of a path (T, d) [m]."""
-    return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())

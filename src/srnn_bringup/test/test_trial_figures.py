@@ -9,8 +9,8 @@ from synthetic_run import Player, planner_health
 
 from srnn_bringup.closing import closing_lines
 from srnn_bringup.recorder import Recorder
-from srnn_bringup.spread import mean_sd, spread
 from srnn_bringup.trial import Run, document, figures
+from srnn_experiments.spread import mean_sd, spread
 
 NODES = ('sim_bridge', 'tracker', 'adapter', 'planner')
 HEALTH = {

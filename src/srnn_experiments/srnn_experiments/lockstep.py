@@ -1,147 +1,110 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cores of all nodes in one process, on the clock of the simulated arm."""
+"""The cores of all nodes in one process, on the clock of a world."""
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from time import perf_counter
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lwr_description import Kinematics, Mount
-from lwr_sim_bridge.parameters import ArmParameters
-from lwr_sim_bridge.simulated_arm import SimulatedArm
-from lwr_tracking.core.parameters import TrackerParameters
-from lwr_tracking.core.tracker import Tracker
 from srnn_config.scene import Scene
+from srnn_experiments.agent import Agent
+from srnn_experiments.segment_record import SegmentRecord
+from srnn_experiments.world import World
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.segment import ExecutedPath, Segment
-from srnn_planner.core.adapter import Learner
-from srnn_planner.core.parameters import ModelParameters, PlanningParameters
-from srnn_planner.core.planner import SegmentPlanner
+from srnn_planner.core.parameters import PlanningParameters
 from srnn_planner.core.sequencer import Sequencer
 from srnn_planner.core.task import WaypointTask
-
-TICKS_PER_SAMPLE = 4
-"""The arm is measured and commanded at 250 Hz."""
+from srnn_planner.core.workspace import Workspace
 
 PLANNING_TIME = 0.004
 """Planning time [s] that the schedule is told, so that runs do not depend on the machine."""
 
-
-@dataclass
-class Log:
-    """What happened.
-
-    Attributes:
-        segments: every plan that was sent, by identity.
-        results: of the segments that were executed, in order.
-        paths: measured paths, by identity.
-        updates: numbers of the segments that changed the weights.
-        reached: number of the segment and index of the way point it reached.
-        force_peak: largest low-passed true contact force [N].
-
-    """
-
-    segments: dict[int, Segment] = field(default_factory=dict)
-    results: list[SegmentResult] = field(default_factory=list)
-    paths: dict[int, ExecutedPath] = field(default_factory=dict)
-    updates: list[int] = field(default_factory=list)
-    reached: list[tuple[int, int]] = field(default_factory=list)
-    force_peak: float = 0.0
-
-    @property
-    def contacts(self) -> list[int]:
-        """Numbers of the segments that were blocked."""
-        return [n for n, r in enumerate(self.results) if r.code is ResultCode.BLOCKED]
-
-    def rmse(self) -> float:
-        """Root mean square distance of plan and execution over unblocked segments [m]."""
-        done = [r.stamp_ns for r in self.results if r.code is ResultCode.DONE]
-        errors = [self.segments[s].positions - self.paths[s].positions for s in done]
-        return float(np.sqrt(np.mean(np.sum(np.concatenate(errors) ** 2, axis=1))))
+SILENCE = 60.0
+"""A run in which no segment ends for so long [s] is given up: the model is dead."""
 
 
 class LockStep:
-    """Planner, tracker, adapter and arm with an injected clock.
+    """An agent and a world with an injected clock; the task between them.
 
     Attributes:
-        log: what happened.
-        command: (7,) last joint command [rad], None before the first.
+        records: the segments that are over, in order.
+        on_record: called with every new record.
+        sequencer: task, schedule and counters.
 
     """
 
     def __init__(
         self,
         scene: Scene,
-        seed: int,
-        model: ModelParameters,
+        world: World,
+        agent: Agent,
         planning: PlanningParameters,
-        tracking: TrackerParameters | None = None,
-        arm: ArmParameters | None = None,
+        workspace: Workspace,
     ) -> None:
-        """Put arm, tracker, planner and learner of one seed into a scene."""
-        mount = Mount()
-        self.log = Log()
-        self.command: NDArray[np.float64] | None = None
-        self.arm = SimulatedArm(
-            arm or ArmParameters(), mount, scene, np.random.default_rng([seed, 2])
-        )
-        self.tracker = Tracker(tracking or TrackerParameters(), Kinematics(mount))
-        self.planner = SegmentPlanner(model, planning, np.random.default_rng([seed, 0]))
-        self.learner = Learner(model, np.random.default_rng([seed, 1]))
-        units = model.workspace.to_units(np.array(scene.waypoints))
-        task = WaypointTask(units, scene.task.reach_radius / model.workspace.half_extent)
-        self.sequencer = Sequencer(task, model.workspace, planning, scene.task.velocity)
+        """Let `agent` move what is in `world` along the way points of `scene`."""
+        self.records: list[SegmentRecord] = []
+        self.on_record: Callable[[SegmentRecord], None] = lambda record: None
+        self._world = world
+        self._agent = agent
+        self._sent: dict[int, tuple[Segment, float]] = {}
+        units = workspace.to_units(np.array(scene.waypoints))
+        task = WaypointTask(units, scene.task.reach_radius / workspace.half_extent)
+        self.sequencer = Sequencer(task, workspace, planning, scene.task.velocity)
 
-    def run(self, segments: int, longest: float = 1000.0) -> Log:
-        """Advance until `segments` have ended, or `longest` simulated seconds."""
-        while len(self.log.results) < segments and self.arm.time < longest:
-            self.cycle()
-        self.log.force_peak = self.arm.truth.peak
-        return self.log
+    def run(self, segments: int) -> list[SegmentRecord]:
+        """Advance until that many segments are over, or nothing happens any more."""
+        while len(self.records) < segments:
+            before = len(self.records)
+            give_up = self._world.time + SILENCE
+            while len(self.records) == before:
+                if self._world.time > give_up:
+                    return self.records
+                self.cycle()
+        return self.records
 
     def cycle(self) -> None:
-        """Advance by one measurement of the arm."""
-        for _ in range(TICKS_PER_SAMPLE):
-            self.arm.step()
-        now = self.arm.time
-        tick = self.tracker.tick(now, self.arm.sample(round(now * 1e9)))
-        self.command = tick.command
-        if tick.command is not None:
-            self.arm.command(tick.command)
-        self.sequencer.tip(self.tracker.tip[:2].copy())
-        for result, path in tick.finished:
-            self._ended(result, path, now)
+        """Advance by one cycle of the world."""
+        finished = self._world.advance()
+        now = self._world.time
+        self.sequencer.tip(self._world.tip)
+        for result, path in finished:
+            if path is None:
+                self._sent.pop(result.stamp_ns, None)
+                self.sequencer.result(result, now)
+            else:
+                self._ended(result, path, now)
         self._plan(now)
 
-    def _ended(self, result: SegmentResult, path: ExecutedPath | None, now: float) -> None:
-        if path is None:
-            self.sequencer.result(result, now)
-            return
-        number = len(self.log.results)
-        self.log.results.append(result)
-        self.log.paths[result.stamp_ns] = path
-        active = self.sequencer.task.active
-        if self.sequencer.executed(result.stamp_ns, path.positions):
-            self.log.reached.append((number, active))
-        plan = self.log.segments[result.stamp_ns]
-        if self.learner.learn(plan.positions, path.positions).updated:
-            self.log.updates.append(number)
-            self.planner.use_weights(self.learner.weights)
+    def _ended(self, result: SegmentResult, path: ExecutedPath, now: float) -> None:
+        plan, planning_ms = self._sent.pop(result.stamp_ns)
+        number = len(self.records) + 1
+        before = self.sequencer.task
+        self.sequencer.executed(result.stamp_ns, path.positions)
+        lesson = self._agent.learn(plan, path, result.code is ResultCode.BLOCKED)
+        after = self.sequencer.task
+        self.records.append(
+            SegmentRecord(number, plan, path, result, lesson, planning_ms, before, after)
+        )
+        self.on_record(self.records[-1])
         self.sequencer.learned(result.stamp_ns)
         self.sequencer.result(result, now)
-        self.arm.set_segment(number + 1)
+        self._world.set_segment(number)
 
     def _plan(self, now: float) -> None:
         request = self.sequencer.request(now)
         if request is None:
             return
-        trajectory = self.planner.plan(request).trajectory
+        began = perf_counter()
+        trajectory = self._agent.plan(request)
+        planning_ms = 1e3 * (perf_counter() - began)
         if trajectory is None:
             self.sequencer.failed(PLANNING_TIME, now)
             return
         segment = Segment(round(now * 1e9), **vars(trajectory))
-        self.log.segments[segment.stamp_ns] = segment
+        self._sent[segment.stamp_ns] = segment, planning_ms
         self.sequencer.sent(segment.stamp_ns, trajectory, PLANNING_TIME, now)
-        refused = self.tracker.offer(segment, 0.0)
+        refused = self._world.offer(segment)
         if refused is not None:
+            self._sent.pop(segment.stamp_ns)
             self.sequencer.result(refused, now)

@@ -35,6 +35,7 @@ def sample_input(network, rng, samples=6, steps=30):
             neurons.prior_weights + rng.normal(0, 0.1, neurons.prior_weights.shape), -1, 1
         ).astype(np.float32),
         context=context,
+        bias=-rng.random(network.neurons),
         history=draw_history(probability, samples, network.tau, rng),
         draws=thin(
             rng.random((samples, steps, network.neurons), dtype=np.float32),
@@ -69,6 +70,7 @@ def isolated(network, samples, steps, rng):
     return SampleInput(
         weights=np.zeros((count, count), dtype=np.float32),
         context=ContextPopulation(np.zeros((1, count)), np.zeros(steps)),
+        bias=np.zeros(count),
         history=np.full((samples, count), NO_SPIKE),
         draws=thin(
             rng.random((samples, steps, count), dtype=np.float32), network.spike_probability_max

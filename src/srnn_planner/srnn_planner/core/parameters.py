@@ -86,6 +86,23 @@ class ContextParameters(Parameters):
 
 
 @dataclass(frozen=True)
+class ObstacleParameters(Parameters):
+    """The context neurons of obstacles that the planner is told of."""
+
+    strength: float = parameter(
+        6.0, minimum=0.0, maximum=1000.0, doc='Inhibition of the neurons in an obstacle.'
+    )
+    margin: float = parameter(
+        0.02, unit='m', minimum=0.0, maximum=1.0,
+        doc='Neurons this close to an obstacle are inhibited as those in it.',
+    )
+    falloff: float = parameter(
+        0.01, unit='m', above=0.0, maximum=1.0,
+        doc='Width of the Gaussian by which the inhibition fades out beyond the margin.',
+    )
+
+
+@dataclass(frozen=True)
 class SamplingParameters(Parameters):
     """How many movements are imagined, how long, and how they are read out."""
 
@@ -230,6 +247,7 @@ class PlanningParameters(Parameters):
     """What only the planner needs."""
 
     context: ContextParameters = field(default_factory=ContextParameters)
+    obstacles: ObstacleParameters = field(default_factory=ObstacleParameters)
     sampling: SamplingParameters = field(default_factory=SamplingParameters)
     selection: SelectionParameters = field(default_factory=SelectionParameters)
     trajectory: TrajectoryParameters = field(default_factory=TrajectoryParameters)

@@ -1,15 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """Planning one segment: sample, decode, reject, average, join, give it time."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_config.scene import Obstacle
 from srnn_planner.core.context import ContextPopulation, way_point_population
 from srnn_planner.core.decoding import decode, window
 from srnn_planner.core.encoding import draw_history, spike_probability
-from srnn_planner.core.parameters import ModelParameters, PlanningParameters
+from srnn_planner.core.known_obstacles import obstacle_input
+from srnn_planner.core.parameters import (
+    ModelParameters,
+    PlanningParameters,
+    TrajectoryParameters,
+)
 from srnn_planner.core.retreat import at_rest, back_off
 from srnn_planner.core.sampling import Draws, SampleInput, thin
 from srnn_planner.core.sampling_kernel import sample_activity
@@ -58,9 +65,21 @@ class SegmentPlanner:
     """Samples segments from the network; holds its weights between segments."""
 
     def __init__(
-        self, model: ModelParameters, planning: PlanningParameters, rng: np.random.Generator
+        self,
+        model: ModelParameters,
+        planning: PlanningParameters,
+        rng: np.random.Generator,
+        known: Iterable[Obstacle] = (),
     ) -> None:
-        """Build neurons, window and prior weights; compile and warm the kernel."""
+        """Build neurons, window and prior weights.
+
+        Args:
+            model: network and learning.
+            planning: how to plan.
+            rng: source of randomness.
+            known: obstacles that need not be learned.
+
+        """
         self.model = model
         self.planning = planning
         self.neurons = StateNeurons(model.network)
@@ -70,6 +89,8 @@ class SegmentPlanner:
         self._window = window(
             planning.sampling.steps, model.network.tau, planning.sampling.decode_sigma
         )
+        positions = model.workspace.to_metres(self.neurons.positions)
+        self._bias = obstacle_input(positions, known, planning.obstacles)
         self._contexts: dict[bytes, ContextPopulation] = {}
 
     def warm_up(self) -> None:
@@ -92,21 +113,15 @@ class SegmentPlanner:
 
     def plan(self, request: PlanRequest) -> Plan:
         """Plan one segment."""
-        backing_off = request.retreat_to is not None
-        origin = request.retreat_to if request.retreat_to is not None else request.measured
-        joining = at_rest(origin) if backing_off else request.joining
+        origin = request.measured if request.retreat_to is None else request.retreat_to
         paths, valid = self.sample(self.model.workspace.to_units(origin), request.target)
         kept = np.zeros(len(paths), dtype=bool)
         if valid.mean() < self.planning.sampling.valid_share:
             return Plan(None, paths, kept)
         kept[valid] = select(paths[valid], self.planning.selection)
         average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
-        limits = self.planning.trajectory
-        trajectory = time_path(average, joining, request.velocity, limits)
-        if trajectory is not None and backing_off:
-            trajectory = back_off(request.joining.position, trajectory, limits.acceleration)
-        if trajectory is None or not self._inside(trajectory):
-            return Plan(None, paths, kept)
+        extent = self.model.workspace.half_extent
+        trajectory = segment_along(average, request, self.planning.trajectory, extent)
         return Plan(trajectory, paths, kept)
 
     def sample(
@@ -125,6 +140,7 @@ class SegmentPlanner:
         given = SampleInput(
             weights=self.weights,
             context=context,
+            bias=self._bias,
             history=draw_history(
                 spike_probability(start, self.model.learning),
                 sampling.samples, network.tau, self._rng,
@@ -164,6 +180,25 @@ class SegmentPlanner:
             )
         return self._contexts[key]
 
-    def _inside(self, trajectory: Trajectory) -> bool:
-        extent = self.model.workspace.half_extent - self.planning.trajectory.edge_margin
-        return bool(np.abs(trajectory.positions).max() <= extent)
+def segment_along(
+    path: NDArray[np.float64],
+    request: PlanRequest,
+    parameters: TrajectoryParameters,
+    half_extent: float,
+) -> Trajectory | None:
+    """Return the segment that follows a path (T, d) [m] and joins the motion before it.
+
+    After a contact it begins with the way back. None if it cannot keep the limits of
+    acceleration and workspace.
+    """
+    start = request.joining
+    if request.retreat_to is not None:
+        start = at_rest(request.retreat_to)
+    trajectory = time_path(path, start, request.velocity, parameters)
+    if trajectory is not None and request.retreat_to is not None:
+        contact = request.joining.position
+        trajectory = back_off(contact, trajectory, parameters.acceleration)
+    if trajectory is None:
+        return None
+    extent = half_extent - parameters.edge_margin
+    return trajectory if np.abs(trajectory.positions).max() <= extent else None

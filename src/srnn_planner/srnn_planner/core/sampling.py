@@ -61,6 +61,7 @@ class SampleInput:
     Attributes:
         weights: (K, K) recurrent weights w[pre, post].
         context: the active context population of N neurons over T steps.
+        bias: (K,) input of context neurons that spike all the time.
         history: (S, K) step of each neuron's last spike before 0, see `draw_history`.
         draws: numbers from [0, 1) that decide the spikes.
         context_uniforms: (S, T, N) the same for the context neurons.
@@ -69,6 +70,7 @@ class SampleInput:
 
     weights: NDArray[np.float32]
     context: ContextPopulation
+    bias: NDArray[np.float64]
     history: NDArray[np.int64]
     draws: Draws
     context_uniforms: NDArray[np.float32]
@@ -91,7 +93,7 @@ def sample_spikes(network: NetworkParameters, given: SampleInput) -> NDArray[np.
     for t in range(steps):
         potential = (t - last <= tau).astype(np.float64)
         context_potential = (t - context_last <= tau).astype(np.float64)
-        u = potential @ weights + context_potential @ given.context.weights
+        u = given.bias + potential @ weights + context_potential @ given.context.weights
         spikes[:, t] = uniforms[:, t] < activation(network, u, t - last)
         last[spikes[:, t]] = t
         fired = given.context_uniforms[:, t] < given.context.spike_probability[t]

@@ -35,6 +35,7 @@ def sample_activity(
         given.weights,
         given.context.weights,
         given.context.spike_probability,
+        given.bias,
         given.history,
         given.draws.neurons,
         given.draws.values,
@@ -51,7 +52,7 @@ def sample_activity(
 
 @numba.njit(cache=True)
 def _sample(
-    weights, theta, context_probability, history, drawn, draws, offsets, context_uniforms,
+    weights, theta, context_probability, bias, history, drawn, draws, offsets, context_uniforms,
     positions, tau, slope, threshold, limit, absolute,
 ):
     samples, steps, context_neurons = context_uniforms.shape
@@ -66,7 +67,7 @@ def _sample(
     ring_count = np.empty(tau + 1, dtype=np.int64)
     context_last = np.empty(context_neurons, dtype=np.int64)
     for s in range(samples):
-        _begin(s, history, weights, positions, tau, u, last, activity, ring, ring_count)
+        _begin(s, history, weights, bias, positions, tau, u, last, activity, ring, ring_count)
         context_last[:] = -tau - 1
         begun_count = 0
         for t in range(steps):
@@ -113,9 +114,9 @@ def _count(activity, s, step, positions, k):
 
 
 @numba.njit(cache=True)
-def _begin(s, history, weights, positions, tau, u, last, activity, ring, ring_count):
+def _begin(s, history, weights, bias, positions, tau, u, last, activity, ring, ring_count):
     neurons = len(u)
-    u[:] = 0.0
+    u[:] = bias
     ring_count[:] = 0
     for k in range(neurons):
         last[k] = history[s, k]

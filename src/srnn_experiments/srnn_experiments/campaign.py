@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many trials: each done once, wherever there is a worker, and remembered."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from threadpoolctl import threadpool_limits
+
+from srnn_experiments.setting import Setting
+from srnn_experiments.store import Key, TrialStore, pack
+from srnn_experiments.trial import run_trial
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """One trial to do.
+
+    Attributes:
+        setting: what is tried.
+        seed: of all random numbers.
+        keep_weights: whether the weights at its end are wanted.
+
+    """
+
+    setting: Setting
+    seed: int
+    keep_weights: bool = False
+
+    @property
+    def key(self) -> Key:
+        """What this job is known by."""
+        return self.setting.digest() + ('w' if self.keep_weights else ''), self.seed
+
+
+class Scheduler(Protocol):
+    """Does jobs somewhere."""
+
+    def map(self, jobs: Sequence[Job]) -> Iterator[tuple[int, dict[str, Any]]]:
+        """Yield index and result of every job, in the order in which they end."""
+
+
+class Progress(Protocol):
+    """Shows how far a campaign is."""
+
+    def update(self, count: int) -> Any:
+        """Take in that so many more trials are done."""
+
+
+def do(job: Job) -> dict[str, Any]:
+    """Do one trial; this is what a worker runs."""
+    # Sums of a matrix product depend on the number of threads, decisions must not.
+    with threadpool_limits(1):
+        outcome = run_trial(job.setting, job.seed)
+    trial = outcome.figures
+    if job.keep_weights and outcome.weights is not None:
+        trial['weights'] = pack(outcome.weights)
+    return trial
+
+
+def run_jobs(
+    jobs: Sequence[Job],
+    scheduler: Scheduler,
+    store: TrialStore,
+    say_done: Callable[[int], None] = lambda count: None,
+) -> list[dict[str, Any]]:
+    """Return the results of jobs in their order; what the store has is not done again.
+
+    Args:
+        jobs: what to do.
+        scheduler: where to do it.
+        store: what is done already, and where to put what is done now.
+        say_done: told how many more trials are done.
+
+    """
+    missing = list({job.key: job for job in jobs if job.key not in store}.values())
+    say_done(len(jobs) - len(missing))
+    for index, trial in scheduler.map(missing):
+        store.add(missing[index].key, trial)
+        say_done(1)
+    return [store[job.key] for job in jobs]
+
+
+def trials(setting: Setting, seeds: Iterable[int], keep_weights: bool = False) -> list[Job]:
+    """Return a job for every seed."""
+    return [Job(setting, seed, keep_weights) for seed in seeds]
+
+
+def rows(settings: Mapping[str, Setting], seeds: Sequence[int]) -> list[Job]:
+    """Return jobs for every setting and seed, all settings of a seed together."""
+    return [Job(setting, seed) for seed in seeds for setting in settings.values()]

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is tried: one row of a table, without the seed."""
+
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+import hashlib
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lwr_description import Mount
+from lwr_sim_bridge.parameters import ArmParameters
+from lwr_tracking.core.parameters import TrackerParameters
+from srnn_config.scene import Scene
+from srnn_experiments.agent import Brain
+
+WORLDS = ('mujoco', 'point')
+AGENTS = ('network', 'oracle', 'grid')
+"""Who plans: the network; the network told of every obstacle; A* that marks contacts."""
+
+
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """Everything that determines a trial, except its seed.
+
+    Attributes:
+        scene: task and obstacles.
+        brain: network, learning and planning.
+        segments: length of a trial.
+        world: one of `WORLDS`.
+        agent: one of `AGENTS`.
+        mount: where the arm stands and what it holds.
+        arm: the simulated arm; of no meaning to a point.
+        tracking: the tracker.
+        weights: (K, K) to start from; None for the prior.
+
+    """
+
+    scene: Scene
+    brain: Brain
+    segments: int
+    world: str = 'mujoco'
+    agent: str = 'network'
+    mount: Mount = field(default_factory=Mount)
+    arm: ArmParameters = field(default_factory=ArmParameters)
+    tracking: TrackerParameters = field(default_factory=TrackerParameters)
+    weights: NDArray[np.float32] | None = None
+
+    def with_signal(self, signal: str, rate: float | None = None) -> 'Setting':
+        """Return the setting with another learning signal."""
+        learning = replace(self.brain.model.learning, signal=signal)
+        if rate is not None:
+            learning = replace(learning, rate=rate)
+        model = replace(self.brain.model, learning=learning)
+        return replace(self, brain=replace(self.brain, model=model))
+
+    def digest(self) -> str:
+        """Return 16 hex digits that differ when anything differs that changes a trial."""
+        state = hashlib.sha256()
+        _feed(state, self)
+        return state.hexdigest()[:16]
+
+
+def _feed(state: Any, value: Any) -> None:
+    if is_dataclass(value) and not isinstance(value, type):
+        state.update(type(value).__name__.encode())
+        for item in fields(value):
+            state.update(item.name.encode())
+            _feed(state, getattr(value, item.name))
+    elif isinstance(value, np.ndarray):
+        state.update(str((value.shape, value.dtype)).encode() + value.tobytes())
+    else:
+        state.update(repr(value).encode() + b';')

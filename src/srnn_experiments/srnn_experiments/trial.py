@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One trial: a setting and a seed."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_experiments.agent import Agent, NetworkAgent
+from srnn_experiments.figures import run_figures
+from srnn_experiments.grid_agent import GridAgent
+from srnn_experiments.lockstep import LockStep
+from srnn_experiments.mujoco_world import MujocoWorld
+from srnn_experiments.point_world import PointWorld
+from srnn_experiments.segment_record import SegmentRecord
+from srnn_experiments.setting import Setting
+from srnn_experiments.world import World
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What a trial left behind.
+
+    Attributes:
+        figures: plain data for JSON.
+        records: its segments.
+        weights: (K, K) at its end; None for an agent without a network.
+
+    """
+
+    figures: dict[str, Any]
+    records: list[SegmentRecord]
+    weights: NDArray[np.float32] | None
+
+
+def run_trial(
+    setting: Setting, seed: int, on_record: Callable[[SegmentRecord], None] | None = None
+) -> Outcome:
+    """Run one trial; equal arguments give equal decisions, bit for bit.
+
+    Args:
+        setting: what is tried.
+        seed: of all random numbers.
+        on_record: called with every segment that is over.
+
+    """
+    began = perf_counter()
+    agent = make_agent(setting, seed)
+    world = make_world(setting, seed)
+    run = make_run(setting, world, agent)
+    if on_record is not None:
+        run.on_record = on_record
+    records = run.run(setting.segments)
+    counters = run.sequencer.counters
+    figures = {
+        'seed': seed,
+        **run_figures(records, setting.scene.task.blocked),
+        'invalid_plans': counters.invalid_plans,
+        'deadline_misses': counters.deadline_misses,
+        'contact_force_peak_n': world.force_peak,
+        'simulated_s': world.time,
+        'wall_s': perf_counter() - began,
+    }
+    weights = agent.learner.weights if isinstance(agent, NetworkAgent) else None
+    return Outcome(figures, records, weights)
+
+
+def make_run(setting: Setting, world: World, agent: Agent) -> LockStep:
+    """Return the run of an agent in a world."""
+    workspace = setting.brain.model.workspace
+    return LockStep(setting.scene, world, agent, setting.brain.planning, workspace)
+
+
+def make_world(setting: Setting, seed: int) -> World:
+    """Return the world of a setting, with random numbers of its own."""
+    rng = np.random.default_rng([seed, 2])
+    if setting.world == 'point':
+        return PointWorld(setting.scene, rng, setting.mount, setting.tracking)
+    return MujocoWorld(setting.scene, rng, setting.mount, setting.tracking, setting.arm)
+
+
+def make_agent(setting: Setting, seed: int) -> Agent:
+    """Return who plans in a setting."""
+    if setting.agent == 'grid':
+        return GridAgent(setting.brain)
+    known = setting.scene.obstacles if setting.agent == 'oracle' else ()
+    return NetworkAgent(setting.brain, seed, known, setting.weights)
