@@ -16,7 +16,7 @@ import numpy as np
 
 from srnn_planner.core import plasticity, plasticity_kernel
 from srnn_planner.core.adapter import Learner
-from srnn_planner.core.context import way_point_population
+from srnn_planner.core.context import draw_centres, way_point_population
 from srnn_planner.core.encoding import draw_history, spike_probability
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 from srnn_planner.core.planner import PlanRequest, SegmentPlanner
@@ -56,7 +56,8 @@ def sampling_calls() -> tuple[Callable[[], object], Callable[[], object]]:
     planner = SegmentPlanner(MODEL, PLANNING, rng)
     neurons, network, sampling = planner.neurons, MODEL.network, PLANNING.sampling
     context = way_point_population(
-        TARGET, neurons.positions, sampling.steps, PLANNING.context, rng
+        draw_centres(TARGET, PLANNING.context, rng),
+        neurons.positions, sampling.steps, PLANNING.context,
     )
     start = spike_probability(neurons.responsibilities(np.zeros((1, 2)))[0], MODEL.learning)
     size = (sampling.samples, sampling.steps)

@@ -3,25 +3,32 @@
 
 import argparse
 from collections.abc import Sequence
-import difflib
 import os
 from pathlib import Path
 import sys
-from typing import NoReturn
 
-from srnn_bringup.config import SEED_MAX, STANDARD_SCENE, Choices, Configuration, load
+from srnn_bringup.command_line import WRONG_USE, Parser
+from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
-from srnn_bringup.options import existing_file, new_file, picture_file, rate, whole
+from srnn_bringup.experiment_options import add_experiments
+from srnn_bringup.options import (
+    add_learning,
+    add_network,
+    add_scene,
+    add_seed,
+    new_file,
+    picture_file,
+    whole,
+)
 from srnn_config import ConfigError
-from srnn_planner.core.dissonance import SIGNALS
+from srnn_experiments.errors import ExperimentError
 from srnn_planner.core.errors import SrnnError
 
 SEGMENTS = 150
 """About two minutes of the standard scene."""
 
 SEGMENTS_MAX = 100_000
-WRONG_USE = 2
 
 _ENVIRONMENT = """\
 The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless
@@ -30,31 +37,15 @@ the nodes that move the arm, 0 for none.
 """
 
 
-class Parser(argparse.ArgumentParser):
-    """Says in one line what is wrong with a command line."""
-
-    def error(self, message: str) -> NoReturn:
-        """Name the mistake and end with exit code 2."""
-        self.exit(WRONG_USE, f'{self.prog}: {message}; see {self.prog} --help\n')
-
-    def refuse_unknown(self, arguments: Sequence[str]) -> None:
-        """Name the first argument that nobody knows, with the options there are."""
-        if not arguments:
-            return
-        options = sorted(o for o in self._option_string_actions if o.startswith('--'))
-        near = difflib.get_close_matches(arguments[0].partition('=')[0], options, n=1)
-        hint = f" (did you mean '{near[0]}'?)" if near else ''
-        self.error(f"unknown argument '{arguments[0]}'{hint}; options: {', '.join(options)}")
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code: 2 for a wrong command line or file."""
     parser, commands = _parsers()
     options, unknown = parser.parse_known_args(arguments)
-    commands.get(options.command, parser).refuse_unknown(unknown)
+    chosen = (options.command, getattr(options, 'experiment', None))
+    commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
     try:
         return int(options.run(options))
-    except (BringupError, ConfigError, SrnnError) as error:
+    except (BringupError, ConfigError, ExperimentError, SrnnError) as error:
         print(f'srnn {options.command}: {error}', file=sys.stderr)
         return WRONG_USE
     except OSError as error:
@@ -80,12 +71,18 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('demo', 'Learn an obstacle live on the simulated arm, and report.'),
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
+            ('experiment', 'Many trials on simulated time: runs, tables, figures.'),
         )
     }  # fmt: skip
     _add_demo(commands['demo'])
     _add_graph(commands['up'])
     commands['up'].set_defaults(run=_up)
     commands['doctor'].set_defaults(run=_doctor)
+    experiments = commands['experiment'].add_subparsers(
+        dest='experiment', metavar='EXPERIMENT', required=True, parser_class=Parser
+    )
+    for name, experiment in add_experiments(experiments).items():
+        commands[f'experiment {name}'] = experiment
     return parser, commands
 
 
@@ -94,23 +91,10 @@ def _add_graph(parser: Parser) -> None:
     parser.add_argument(
         '--arm', choices=('sim',), default='sim', help='arm to move (default: %(default)s)'
     )
-    parser.add_argument(
-        '--scene', default=STANDARD_SCENE, metavar='SCENE',
-        help='name of a scene in config/scenes, or path of a scene file (default: %(default)s)',
-    )
-    parser.add_argument(
-        '--signal', choices=tuple(SIGNALS), help='learning signal (default: as network.yaml says)'
-    )
-    parser.add_argument(
-        '--alpha', type=rate, metavar='A', help='rate of the signals constant and untriggered'
-    )
-    parser.add_argument(
-        '--seed', type=whole(0, SEED_MAX), default=0, metavar='S',
-        help='seed of all random numbers (default: %(default)s)',
-    )
-    parser.add_argument(
-        '--weights', type=existing_file, metavar='FILE', help='weights to start from'
-    )
+    add_scene(parser)
+    add_network(parser)
+    add_learning(parser)
+    add_seed(parser, 'seed of all random numbers')
     parser.add_argument(
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
@@ -136,6 +120,7 @@ def _configuration(options: argparse.Namespace) -> Configuration:
     return load(
         Choices(
             scene=options.scene,
+            network=options.network,
             signal=options.signal,
             alpha=options.alpha,
             seed=options.seed,

@@ -22,6 +22,7 @@ from srnn_planner.core.parameters import LearningParameters, ModelParameters, Pl
 from srnn_planner.core.state_neurons import StateNeurons
 
 STANDARD_SCENE = 'four_waypoints'
+NETWORK = 'network'
 
 SEED_MAX = 2**31 - 1
 
@@ -68,6 +69,7 @@ class Choices:
 
     Attributes:
         scene: name of a scene in the configuration, or path of a scene file.
+        network: name of a network in the configuration, or path of its file.
         signal: learning signal.
         alpha: rate of the constant learning signals.
         seed: seed of all random numbers.
@@ -77,6 +79,7 @@ class Choices:
     """
 
     scene: str = STANDARD_SCENE
+    network: str = NETWORK
     signal: str | None = None
     alpha: float | None = None
     seed: int = 0
@@ -162,10 +165,11 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
     """
     directory = config_directory() if directory is None else directory
     scene_path = find_scene(choices.scene, directory)
+    network_path = find_network(choices.network, directory)
     configuration = Configuration(
         scene_path=scene_path,
         scene=load_scene(scene_path),
-        network=_with_choices(_read(NetworkFile, directory / 'network.yaml'), choices),
+        network=_with_choices(_read(NetworkFile, network_path), choices),
         arm=_read(ArmFile, directory / 'arm.yaml'),
         tracking=_read(TrackingFile, directory / 'tracking.yaml'),
         initial_weights=_absolute(choices.initial_weights),
@@ -212,16 +216,30 @@ def find_scene(choice: str, directory: Path) -> Path:
         ChoiceError: there is no such scene; the message lists the names.
 
     """
-    names = scene_names(directory)
+    return _find('scene', choice, directory / 'scenes', scene_names(directory))
+
+
+def find_network(choice: str, directory: Path) -> Path:
+    """Return the absolute path of a network given by name or path.
+
+    Raises:
+        ChoiceError: there is no such network; the message lists the names.
+
+    """
+    names = sorted(path.stem for path in directory.glob('network*.yaml'))
+    return _find('network', choice, directory, names)
+
+
+def _find(kind: str, choice: str, directory: Path, names: list[str]) -> Path:
     if choice in names:
-        return (directory / 'scenes' / f'{choice}.yaml').resolve()
+        return (directory / f'{choice}.yaml').resolve()
     path = Path(choice)
     if path.is_file():
         return path.resolve()
     near = difflib.get_close_matches(choice, names, n=1)
     hint = f" (did you mean '{near[0]}'?)" if near else ''
     raise ChoiceError(
-        f"no scene '{choice}'{hint}; valid: the path of a scene file, or {', '.join(names)}"
+        f"no {kind} '{choice}'{hint}; valid: the path of a {kind} file, or {', '.join(names)}"
     )
 
 

@@ -6,7 +6,47 @@ from collections.abc import Callable
 import math
 from pathlib import Path
 
+from srnn_bringup.config import NETWORK, SEED_MAX, STANDARD_SCENE
+from srnn_planner.core.dissonance import SIGNALS
+
 PICTURE_FORMATS = ('.png', '.pdf', '.svg')
+
+
+def add_scene(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of a scene."""
+    parser.add_argument(
+        '--scene', default=STANDARD_SCENE, metavar='SCENE',
+        help='name of a scene in config/scenes, or path of a scene file (default: %(default)s)',
+    )
+
+
+def add_network(parser: argparse.ArgumentParser, default: str = NETWORK) -> None:
+    """Add the choice of a network."""
+    parser.add_argument(
+        '--network', default=default, metavar='NETWORK',
+        help='name of a network in config, or path of its file (default: %(default)s)',
+    )
+
+
+def add_learning(parser: argparse.ArgumentParser) -> None:
+    """Add what is learned with, and from which weights."""
+    parser.add_argument(
+        '--signal', choices=tuple(SIGNALS), help='learning signal (default: as NETWORK says)'
+    )
+    parser.add_argument(
+        '--alpha', type=rate, metavar='A', help='rate of the signals constant and untriggered'
+    )
+    parser.add_argument(
+        '--weights', type=existing_file, metavar='FILE', help='weights to start from'
+    )
+
+
+def add_seed(parser: argparse.ArgumentParser, text: str) -> None:
+    """Add the seed."""
+    parser.add_argument(
+        '--seed', type=whole(0, SEED_MAX), default=0, metavar='S',
+        help=f'{text} (default: %(default)s)',
+    )
 
 
 def whole(minimum: int, maximum: int) -> Callable[[str], int]:
@@ -52,6 +92,14 @@ def new_file(text: str) -> Path:
         raise argparse.ArgumentTypeError(f'{text!r}: is a directory')
     if not path.resolve().parent.is_dir():
         raise argparse.ArgumentTypeError(f'{text!r}: there is no directory {str(path.parent)!r}')
+    return path
+
+
+def new_directory(text: str) -> Path:
+    """Read the path of a directory that is there or can be made."""
+    path = Path(text)
+    if path.exists() and not path.is_dir():
+        raise argparse.ArgumentTypeError(f'{text!r}: is not a directory')
     return path
 
 

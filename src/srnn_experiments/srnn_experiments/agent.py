@@ -70,6 +70,8 @@ class NetworkAgent:
             brain.model, brain.planning, np.random.default_rng([seed, 0]), known
         )
         self.learner = Learner(brain.model, np.random.default_rng([seed, 1]))
+        self.planner.warm_up()
+        self.learner.warm_up()
         if weights is not None:
             self.planner.use_weights(weights)
             self.learner.use_weights(weights)

@@ -7,7 +7,7 @@ from dataclasses import asdict, replace
 import io
 from typing import Any
 
-from srnn_experiments.intervals import mean_interval, share_interval
+from srnn_experiments.intervals import mean_interval, paired_interval, share_interval
 from srnn_experiments.paper import TABLE_1
 from srnn_experiments.setting import Setting
 
@@ -64,6 +64,21 @@ def settings(base: Setting) -> dict[str, Setting]:
 def learned(trial: Mapping[str, Any]) -> bool:
     """Tell whether a trial learned: at least three laps, no contact in the last 100."""
     return bool(trial['laps'] >= LEARNED_LAPS and trial['contacts_last_100'] == 0)
+
+
+def differences(
+    trials: Mapping[str, Sequence[Mapping[str, Any]]], reference: str, key: str
+) -> dict[str, dict[str, float]]:
+    """Return by how much a row is ahead of the others, paired by seed, with intervals."""
+    ahead = [float(trial[key]) for trial in trials[reference]]
+    result = {}
+    for name, others in trials.items():
+        if name != reference:
+            values = [float(trial[key]) for trial in others]
+            low, high = paired_interval(ahead, values)
+            mean = sum(a - b for a, b in zip(ahead, values, strict=True)) / len(values)
+            result[name] = {'mean': mean, 'low': low, 'high': high}
+    return result
 
 
 def row(trials: Sequence[Mapping[str, Any]]) -> dict[str, Any]:

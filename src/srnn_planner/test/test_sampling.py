@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from statistical_bounds import binomial_bound
 
-from srnn_planner.core.context import ContextPopulation, way_point_population
+from srnn_planner.core.context import ContextPopulation, draw_centres, way_point_population
 from srnn_planner.core.decoding import spike_activity
 from srnn_planner.core.encoding import NO_SPIKE, draw_history, spike_probability
 from srnn_planner.core.parameters import (
@@ -27,7 +27,8 @@ CONTEXT = ContextParameters(spike_probability_start=0.05, spike_probability_end=
 def sample_input(network, rng, samples=6, steps=30):
     neurons = StateNeurons(network)
     target = rng.uniform(-0.8, 0.8, network.dimensions)
-    context = way_point_population(target, neurons.positions, steps, CONTEXT, rng)
+    centres = draw_centres(target, CONTEXT, rng)
+    context = way_point_population(centres, neurons.positions, steps, CONTEXT)
     start = neurons.responsibilities(rng.uniform(-0.8, 0.8, (1, network.dimensions)))[0]
     probability = spike_probability(start, LearningParameters())
     return neurons, SampleInput(
@@ -119,16 +120,21 @@ def test_context_weights_fall_with_the_distance_to_the_way_point(rng):
     neurons = StateNeurons(NetworkParameters())
     target = np.array([0.4, 0.1])
     still = replace(ContextParameters(), spread=0.0)
-    weights = way_point_population(target, neurons.positions, 30, still, rng).weights.sum(axis=0)
+    centres = draw_centres(target, still, rng)
+    weights = way_point_population(centres, neurons.positions, 30, still).weights.sum(axis=0)
     distance = np.linalg.norm(neurons.positions - target, axis=1)
     assert (np.diff(weights[np.argsort(distance)]) <= 1e-12).all()
     closed = still.amplitude * np.exp(-((distance / still.scale) ** still.exponent))
     assert weights == pytest.approx(closed)
+    detour = rng.uniform(0.0, 1.0, len(distance))
+    longer = way_point_population(centres, neurons.positions, 30, still, detour)
+    closed = still.amplitude * np.exp(-(((distance + detour) / still.scale) ** still.exponent))
+    assert longer.weights.sum(axis=0) == pytest.approx(closed)
 
 
-def test_context_fires_with_its_time_dependent_probability(rng):
+def test_context_fires_with_its_time_dependent_probability():
     population = way_point_population(
-        np.zeros(2), StateNeurons(NetworkParameters()).positions, 30, CONTEXT, rng
+        np.zeros((10, 2)), StateNeurons(NetworkParameters()).positions, 30, CONTEXT
     )
     assert population.spike_probability == pytest.approx(np.linspace(0.05, 0.4, 30))
 

@@ -30,21 +30,29 @@ def generalized_error(
     return np.asarray(np.exp(-((distance / scale) ** exponent)))
 
 
+def draw_centres(
+    target: NDArray[np.float64], parameters: ContextParameters, rng: np.random.Generator
+) -> NDArray[np.float64]:
+    """Return the positions (N, d) of a population, Gaussian around a way point (d,) [units]."""
+    size = (parameters.neurons, len(target))
+    return np.asarray(target + parameters.spread * rng.standard_normal(size))
+
+
 def way_point_population(
-    target: NDArray[np.float64],
+    centres: NDArray[np.float64],
     neurons: NDArray[np.float64],
     steps: int,
     parameters: ContextParameters,
-    rng: np.random.Generator,
+    detour: NDArray[np.float64] | float = 0.0,
 ) -> ContextPopulation:
-    """Place a population around a way point and connect it to the state neurons.
+    """Connect the population of a way point to the state neurons.
 
     Args:
-        target: (d,) way point in units.
+        centres: (N, d) positions of the context neurons [units].
         neurons: (K, d) preferred positions of the state neurons.
         steps: length T of a segment.
         parameters: shape of the population and of its weights.
-        rng: draws the positions of the population, Gaussian around the target.
+        detour: (K,) what the way from each state neuron is longer than the beeline [units].
 
     Returns:
         Weights that install a gradient towards the target: each context neuron
@@ -54,8 +62,7 @@ def way_point_population(
 
     """
     p = parameters
-    centres = target + p.spread * rng.standard_normal((p.neurons, len(target)))
-    distance = np.linalg.norm(centres[:, None, :] - neurons[None, :, :], axis=2)
-    weights = p.amplitude / p.neurons * generalized_error(distance, p.scale, p.exponent)
+    beeline = np.linalg.norm(centres[:, None, :] - neurons[None, :, :], axis=2)
+    weights = p.amplitude / p.neurons * generalized_error(beeline + detour, p.scale, p.exponent)
     probability = np.linspace(p.spike_probability_start, p.spike_probability_end, steps)
     return ContextPopulation(weights, probability)

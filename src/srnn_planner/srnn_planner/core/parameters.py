@@ -75,6 +75,10 @@ class ContextParameters(Parameters):
     exponent: float = parameter(
         0.75, above=0.0, maximum=10.0, doc='Exponent b of the generalized error distribution.'
     )
+    aversion: float = parameter(
+        0.0, minimum=0.0, maximum=1000.0,
+        doc='A step of the way whose synapse has lost 1 counts as 1 + this; 0: as the crow flies.',
+    )
     spike_probability_start: float = parameter(
         0.5, minimum=0.0, maximum=1.0,
         doc='Probability that a context neuron spikes in the first step of a segment.',

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_config.scene import Obstacle
-from srnn_planner.core.context import ContextPopulation, way_point_population
+from srnn_planner.core.context import ContextPopulation, draw_centres, way_point_population
 from srnn_planner.core.decoding import decode, window
+from srnn_planner.core.detour import DetourField
 from srnn_planner.core.encoding import draw_history, spike_probability
 from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import (
@@ -91,6 +92,8 @@ class SegmentPlanner:
         )
         positions = model.workspace.to_metres(self.neurons.positions)
         self._bias = obstacle_input(positions, known, planning.obstacles)
+        self._detours = DetourField(self.neurons, self._bias)
+        self._centres: dict[bytes, NDArray[np.float64]] = {}
         self._contexts: dict[bytes, ContextPopulation] = {}
 
     def warm_up(self) -> None:
@@ -100,6 +103,7 @@ class SegmentPlanner:
         rest = Motion(np.zeros(self._dimensions), np.zeros(self._dimensions))
         self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
         self._contexts.clear()
+        self._centres.clear()
         self._rng, self._uniform_rng = kept
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
@@ -110,6 +114,7 @@ class SegmentPlanner:
 
         """
         self.weights = self.neurons.check_weights(weights)
+        self._contexts.clear()
 
     def plan(self, request: PlanRequest) -> Plan:
         """Plan one segment."""
@@ -173,12 +178,19 @@ class SegmentPlanner:
 
     def _context(self, target: NDArray[np.float64]) -> ContextPopulation:
         key = target.tobytes()
+        parameters = self.planning.context
+        if key not in self._centres:
+            self._centres[key] = draw_centres(target, parameters, self._rng)
         if key not in self._contexts:
+            detour: NDArray[np.float64] | float = 0.0
+            if parameters.aversion > 0.0:
+                detour = self._detours.detour(self.weights, target, parameters.aversion)
             self._contexts[key] = way_point_population(
-                target, self.neurons.positions, self.planning.sampling.steps,
-                self.planning.context, self._rng,
+                self._centres[key], self.neurons.positions,
+                self.planning.sampling.steps, parameters, detour,
             )
         return self._contexts[key]
+
 
 def segment_along(
     path: NDArray[np.float64],

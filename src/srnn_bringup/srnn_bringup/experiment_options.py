@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command line of `srnn experiment`."""
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+from srnn_bringup.command_line import Parser
+from srnn_bringup.config import Choices, Configuration, load
+from srnn_bringup.options import (
+    add_learning,
+    add_network,
+    add_scene,
+    add_seed,
+    new_directory,
+    new_file,
+    whole,
+)
+from srnn_experiments.setting import AGENTS, WORLDS
+
+PAPER = 'network_paper'
+SEGMENTS, TRIALS = 300, 10
+"""Length and number of trials, as in the paper."""
+
+SEGMENTS_MAX, TRIALS_MAX, WORKERS_MAX = 100_000, 100_000, 1024
+
+Run = Callable[[argparse.Namespace], int]
+
+
+def add_experiments(
+    table: 'argparse._SubParsersAction[Parser]',
+) -> dict[str, Parser]:
+    """Add the experiments to the table of commands; return their parsers by name."""
+    parsers = {}
+    for name, text, add, run in (
+        ('run', 'Do many trials of one setting on simulated time.', _add_run, _run),
+        ('table1', "The paper's Table 1, beside the paper's own numbers.", _add_table, _table1),
+    ):
+        parser = table.add_parser(name, help=text, description=text, allow_abbrev=False)
+        add(parser)
+        parser.set_defaults(run=run)
+        parsers[name] = parser
+    return parsers
+
+
+def _add_common(parser: argparse.ArgumentParser, trials: int) -> None:
+    add_scene(parser)
+    parser.add_argument(
+        '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
+        help='length of a trial (default: %(default)s)',
+    )
+    parser.add_argument(
+        '--trials', type=whole(1, TRIALS_MAX), default=trials, metavar='M',
+        help='number of trials (default: %(default)s)',
+    )
+    add_seed(parser, 'seed of the first trial, the others follow')
+    parser.add_argument(
+        '--world', choices=WORLDS, default='mujoco',
+        help='the simulated arm, or a point that stops at obstacles (default: %(default)s)',
+    )
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        '--workers', type=whole(1, WORKERS_MAX), metavar='W',
+        help='processes on this machine (default: one per core)',
+    )
+    where.add_argument(
+        '--scheduler', metavar='ADDRESS', help='Dask scheduler to use instead, as tcp://host:8786'
+    )
+
+
+def _add_run(parser: argparse.ArgumentParser) -> None:
+    _add_common(parser, trials=1)
+    add_network(parser)
+    parser.add_argument(
+        '--agent', choices=AGENTS, default='network',
+        help='the network, the same told of all obstacles, or A* that marks contacts '
+        '(default: %(default)s)',
+    )
+    add_learning(parser)
+    parser.add_argument(
+        '--save-weights', type=new_file, metavar='FILE',
+        help='where to write the weights at the end of the first trial',
+    )
+    parser.add_argument('--json', type=new_file, metavar='FILE', help='figures to write')
+
+
+def _add_table(parser: argparse.ArgumentParser) -> None:
+    _add_common(parser, TRIALS)
+    add_network(parser, PAPER)
+    parser.add_argument(
+        '--out', type=new_directory, required=True, metavar='DIR', help='directory to write to'
+    )
+
+
+def _configuration(options: argparse.Namespace) -> Configuration:
+    return load(
+        Choices(
+            scene=options.scene,
+            network=options.network,
+            signal=getattr(options, 'signal', None),
+            alpha=getattr(options, 'alpha', None),
+            seed=options.seed,
+            initial_weights=getattr(options, 'weights', None),
+        )
+    )
+
+
+def _run(options: argparse.Namespace) -> int:
+    from srnn_bringup.experiment import Experiment, run_experiment
+
+    asked = Experiment(
+        segments=options.segments, trials=options.trials, seed=options.seed,
+        world=options.world, agent=options.agent, workers=options.workers,
+        scheduler=options.scheduler, json=options.json, save_weights=options.save_weights,
+    )
+    return run_experiment(_configuration(options), asked, print)
+
+
+def _table1(options: argparse.Namespace) -> int:
+    from srnn_bringup.experiment import base_setting, make_scheduler
+    from srnn_bringup.table1 import run_table1
+
+    base = base_setting(_configuration(options), options.segments, options.world)
+    seeds = range(options.seed, options.seed + options.trials)
+    scheduler = make_scheduler(options.workers, options.scheduler)
+    return run_table1(base, seeds, scheduler, Path(options.out), print)

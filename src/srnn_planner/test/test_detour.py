@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The field of a way point follows what was learned, and nothing else."""
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+import numpy as np
+import pytest
+
+from srnn_config.scene import Obstacle
+from srnn_planner.core.detour import DetourField
+from srnn_planner.core.known_obstacles import obstacle_input
+from srnn_planner.core.parameters import NetworkParameters, ObstacleParameters
+from srnn_planner.core.shortest_way import distances
+from srnn_planner.core.state_neurons import StateNeurons
+
+NEURONS = StateNeurons(NetworkParameters())
+PRIOR = NEURONS.prior_weights
+FREE = np.zeros(len(NEURONS.positions))
+TARGET = np.array([0.8, 0.0])
+
+
+def blocked_column(x=0.0, reach=0.5):
+    """Weights in which none excites the three columns of neurons at x, up to |y| = reach."""
+    weights = PRIOR.copy()
+    wall = (np.abs(NEURONS.positions[:, 0] - x) < 0.2) & (
+        np.abs(NEURONS.positions[:, 1]) < reach
+    )
+    weights[:, wall] = -1.0
+    return weights
+
+
+def at(x, y):
+    return int(np.argmin(np.linalg.norm(NEURONS.positions - [x, y], axis=1)))
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 2**32 - 1), aversion=st.floats(0.1, 50.0))
+def test_detours_are_never_negative_and_grow_with_aversion(seed, aversion):
+    rng = np.random.default_rng(seed)
+    weights = np.clip(PRIOR - rng.exponential(0.2, PRIOR.shape), -1.0, 1.0).astype(np.float32)
+    field = DetourField(NEURONS, FREE)
+    target = rng.uniform(-0.9, 0.9, 2)
+    less, more = (field.detour(weights, target, a) for a in (aversion, 2.0 * aversion))
+    assert (less >= 0.0).all()
+    assert (more >= less - 1e-12).all()
+
+
+def test_nothing_learned_means_no_detour():
+    assert not DetourField(NEURONS, FREE).detour(PRIOR, TARGET, 5.0).any()
+
+
+def test_behind_a_wall_the_way_is_longer_before_it_not():
+    detour = DetourField(NEURONS, FREE).detour(blocked_column(), TARGET, 20.0)
+    assert detour[at(-0.3, 0.0)] > 0.3
+    assert detour[at(0.5, 0.0)] == pytest.approx(0.0, abs=1e-9)
+    assert detour[at(-0.3, 0.0)] > detour[at(-0.3, 0.6)]
+
+
+def test_no_way_is_longer_than_round_the_wall():
+    """The way over the end of the wall is free of what was learned."""
+    detour = DetourField(NEURONS, FREE).detour(blocked_column(), TARGET, 1000.0)
+    start, corner = np.array([-0.3, 0.0]), np.array([0.0, 0.65])
+    round_it = np.linalg.norm(start - corner) + np.linalg.norm(TARGET - corner)
+    assert detour[at(*start)] < round_it - np.linalg.norm(TARGET - start) + 0.15
+
+
+def test_a_known_obstacle_is_a_detour_without_any_touch():
+    box = Obstacle('box', (0.0, 0.0), size=(0.03, 0.24))
+    positions = 0.3 * NEURONS.positions
+    inhibition = obstacle_input(positions, [box], ObstacleParameters())
+    detour = DetourField(NEURONS, inhibition).detour(PRIOR, TARGET, 20.0)
+    assert detour[at(-0.3, 0.0)] > 0.2
+
+
+def test_known_obstacles_inhibit_what_is_near_and_nothing_far_away():
+    disc = Obstacle('disc', (0.1, 0.0), radius=0.03)
+    p = ObstacleParameters(strength=4.0, margin=0.01, falloff=0.01)
+    points = np.array([[0.1, 0.0], [0.135, 0.0], [0.15, 0.0], [-0.2, 0.0]])
+    found = obstacle_input(points, [disc], p)
+    assert found[:2] == pytest.approx([-4.0, -4.0])
+    assert found[2] == pytest.approx(-4.0 * np.exp(-0.5))
+    assert found[3] == pytest.approx(0.0, abs=1e-12)
+    assert not obstacle_input(points, [], p).any()
+
+
+@given(seed=st.integers(0, 2**32 - 1))
+def test_shortest_ways_are_those_of_bellman_and_ford(seed):
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(2, 9))
+    pre, post = np.nonzero(rng.random((count, count)) < 0.4)
+    order = np.argsort(post, kind='stable')
+    pre, post = pre[order], post[order]
+    cost = rng.random(len(pre))
+    start = np.where(rng.random(count) < 0.4, rng.random(count), np.inf)
+    expected = start.copy()
+    for _ in range(count):
+        for a, b, length in zip(pre, post, cost, strict=True):
+            expected[a] = min(expected[a], length + expected[b])
+    first = np.searchsorted(post, np.arange(count + 1))
+    assert distances(first, pre, cost, start) == pytest.approx(expected)
