@@ -86,3 +86,4 @@ def test_options_reach_the_demo(tmp_path, monkeypatch):
 def test_exit_code_of_the_command_is_handed_on(monkeypatch):
     monkeypatch.setattr('srnn_bringup.up.run_up', lambda configuration: 1)
     assert cli.main(['up']) == 1
+

@@ -25,7 +25,11 @@ _SHAPE_KEYS = {
 
 @dataclass(frozen=True)
 class Obstacle:
-    """One upright obstacle; `outline` values are metres in `srnn_workspace`."""
+    """One upright, convex obstacle; lengths are metres in `srnn_workspace`.
+
+    It stands there from segment `appears_at` until before `disappears_at`. The planner
+    is told of it if it is `known`, and has to learn it otherwise.
+    """
 
     shape: str
     center: tuple[float, float]
@@ -35,6 +39,7 @@ class Obstacle:
     yaw: float = 0.0
     appears_at: int = 0
     disappears_at: int = NEVER
+    known: bool = False
 
     def present(self, segment: int) -> bool:
         """Tell whether the obstacle stands in the way during segment number `segment`."""
@@ -130,7 +135,7 @@ def _obstacle(data: Any, where: str) -> Obstacle:
     shape = data.get('shape')
     if shape not in _SHAPE_KEYS:
         raise ParameterError(f'{where}.shape = {shape!r}: must be one of {", ".join(_SHAPE_KEYS)}')
-    valid = ('shape', 'center', 'appears_at', 'disappears_at', *_SHAPE_KEYS[shape])
+    valid = ('shape', 'center', 'appears_at', 'disappears_at', 'known', *_SHAPE_KEYS[shape])
     for key in data:
         if key not in valid:
             raise UnknownKeyError(where, key, valid)
@@ -140,7 +145,11 @@ def _obstacle(data: Any, where: str) -> Obstacle:
         raise ParameterError(
             f'{where}.disappears_at = {disappears}: must be > appears_at = {appears}'
         )
+    known = data.get('known', False)
+    if not isinstance(known, bool):
+        raise ParameterError(f'{where}.known = {known!r}: must be true or false')
     common: dict[str, Any] = {
+        'known': known,
         'shape': shape,
         'center': _point(data.get('center', (0.0, 0.0)), f'{where}.center'),
         'yaw': _number(data.get('yaw', 0.0), f'{where}.yaw', -6.3, 6.3),

@@ -19,7 +19,7 @@ SCENE = {
     'noise': {'position': 0.0001},
     'obstacles': [
         {'shape': 'box', 'center': [0.1, 0.0], 'size': [0.1, 0.05], 'yaw': 0.3},
-        {'shape': 'disc', 'center': [-0.2, 0.1], 'radius': 0.03, 'appears_at': 5},
+        {'shape': 'disc', 'center': [-0.2, 0.1], 'radius': 0.03, 'appears_at': 5, 'known': True},
         {'shape': 'polygon', 'points': [[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]], 'disappears_at': 9},
     ],
 }
@@ -47,6 +47,7 @@ def test_a_scene_file_is_read_completely(tmp_path):
     box, disc, polygon = scene.obstacles
     assert (box.size, box.yaw, box.disappears_at) == ((0.1, 0.05), 0.3, NEVER)
     assert (disc.radius, disc.appears_at) == (0.03, 5)
+    assert (box.known, disc.known) == (False, True)
     assert polygon.points == ((0.0, 0.0), (0.1, 0.0), (0.0, 0.1))
 
 
@@ -60,7 +61,7 @@ def test_a_scene_needs_a_name_and_way_points_only():
     ('path', 'complaint'),
     [
         (('waypoint',), "scene: unknown key 'waypoint' (did you mean 'waypoints'?)"),
-        (('obstacles', 0, 'radius'), 'valid keys: shape, center, appears_at, disappears_at, size'),
+        (('obstacles', 0, 'radius'), 'appears_at, disappears_at, known, size, yaw'),
         (('obstacles', 1, 'size'), "scene.obstacles[1]: unknown key 'size'"),
         (('noise', 'colour'), "scene.noise: unknown key 'colour'; valid keys: position, torque"),
     ],
@@ -90,6 +91,7 @@ def test_unknown_keys_are_refused_with_the_valid_ones(path, complaint):
         (('obstacles', 0, 'shape'), 'ball', 'must be one of box, disc, polygon'),
         (('obstacles', 0, 'size'), [0.1, 0.0], 'must be a number from 0.004 to 0.6'),
         (('obstacles', 1, 'radius'), 0.0, 'must be a number from 0.002 to 0.3'),
+        (('obstacles', 1, 'known'), 'yes', 'must be true or false'),
         (('obstacles', 1, 'appears_at'), -1, 'must be a whole number >= 0'),
         (('obstacles', 1, 'appears_at'), 1.5, 'must be a whole number >= 0'),
         (('obstacles', 1, 'disappears_at'), 5, 'must be > appears_at = 5'),

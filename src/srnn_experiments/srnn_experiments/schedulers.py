@@ -11,7 +11,7 @@ from typing import Any
 from srnn_experiments.campaign import Job, do
 from srnn_experiments.errors import SchedulerError
 
-DASK_TIMEOUT_S = 20.0
+DASK_TIMEOUT_S = 10.0
 RETRIES = 3
 """A trial whose worker is lost is done again this many times."""
 

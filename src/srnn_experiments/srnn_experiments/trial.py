@@ -86,5 +86,6 @@ def make_agent(setting: Setting, seed: int) -> Agent:
     """Return who plans in a setting."""
     if setting.agent == 'grid':
         return GridAgent(setting.brain)
-    known = setting.scene.obstacles if setting.agent == 'oracle' else ()
+    oracle = setting.agent == 'oracle'
+    known = tuple(o for o in setting.scene.obstacles if o.known or oracle)
     return NetworkAgent(setting.brain, seed, known, setting.weights)

@@ -10,7 +10,7 @@ import pytest
 
 from srnn_planner.core import plasticity, plasticity_kernel
 from srnn_planner.core.adapter import Learner
-from srnn_planner.core.dissonance import SIGNALS, compare, learning_signal
+from srnn_planner.core.dissonance import SIGNALS, compare, learning_signal, within_horizon
 from srnn_planner.core.errors import PairingError, SrnnError, WeightsError
 from srnn_planner.core.parameters import LearningParameters, ModelParameters, NetworkParameters
 from srnn_planner.core.plasticity import Experience, contrast
@@ -37,6 +37,23 @@ def test_execution_as_imagined_teaches_nothing(signal):
     lesson = learner(signal).learn(STRAIGHT, STRAIGHT)
     assert not lesson.updated
     assert not lesson.rates.any()
+
+
+@given(step=st.integers(0, 29), horizon=st.floats(0.01, 0.5))
+def test_what_lies_beyond_the_horizon_is_not_held_against_the_world(step, horizon):
+    mental = STRAIGHT / 0.3
+    executed = stopped(mental, step)
+    held = within_horizon(mental, executed, horizon)
+    distance = np.linalg.norm(held - executed, axis=1)
+    assert distance.max() <= horizon
+    near = np.linalg.norm(mental - executed, axis=1) <= horizon
+    assert np.array_equal(held[near], mental[near])
+    assert (held[~near] == held[max(near.sum() - 1, 0)]).all()
+
+
+def test_a_far_horizon_changes_nothing():
+    mental = STRAIGHT / 0.3
+    assert within_horizon(mental, stopped(mental, 9), 10.0) is mental
 
 
 def test_global_signal_is_the_squared_distance_between_threshold_and_limit():

@@ -38,6 +38,23 @@ def compare(
     )
 
 
+def within_horizon(
+    mental: NDArray[np.float64], executed: NDArray[np.float64], horizon: float
+) -> NDArray[np.float64]:
+    """Return the plan, held from where it is farther than `horizon` from the execution.
+
+    The arm that was stopped has learned that it cannot go on from there, and nothing of
+    the places beyond, where it has never been. All in units, paths (T, d).
+    """
+    far = np.linalg.norm(mental - executed, axis=1) > horizon
+    if not far.any():
+        return mental
+    last = max(int(np.argmax(far)) - 1, 0)
+    held = mental.copy()
+    held[last:] = mental[last]
+    return held
+
+
 class AbstractSignal(ABC):
     """Turns a mismatch into the learning rates of one segment."""
 

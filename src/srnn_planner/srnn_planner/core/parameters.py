@@ -223,6 +223,10 @@ class LearningParameters(Parameters):
     local_scale: float = parameter(
         12.0, above=0.0, maximum=1000.0, doc='c of the local signals.'
     )
+    horizon: float = parameter(
+        10.0, unit='units', above=0.0, maximum=10.0,
+        doc='What was planned farther than this from where the arm was stopped teaches nothing.',
+    )
     replays: int = parameter(
         20, minimum=1, maximum=1000, doc='Pairs of spike encodings learned per experience.'
     )

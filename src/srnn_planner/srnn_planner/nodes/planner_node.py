@@ -63,7 +63,8 @@ class PlannerNode(WorkspaceNode):
         self._workspace = parameters.model.workspace
         self._reach_radius = scene.task.reach_radius
         self._planner = SegmentPlanner(
-            parameters.model, parameters.planning, np.random.default_rng([parameters.seed, 0])
+            parameters.model, parameters.planning, np.random.default_rng([parameters.seed, 0]),
+            [obstacle for obstacle in scene.obstacles if obstacle.known],
         )
         self._sequencer = Sequencer(
             self._task(np.array(scene.waypoints)),

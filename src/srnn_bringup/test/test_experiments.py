@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`srnn experiment`: what it writes, what it remembers, what it refuses."""
+
+import contextlib
+import json
+
+import pytest
+
+from srnn_bringup import cli
+from srnn_experiments import schedulers, table1
+
+
+def test_an_experiment_writes_its_document_and_leaves_nothing_else(tmp_path, capsys):
+    path, weights = tmp_path / 'e.json', tmp_path / 'w.npz'
+    line = (
+        'experiment run --world point --segments 6 --trials 2 --seed 3 --workers 1 '
+        f'--signal constant --alpha 0.01 --json {path} --save-weights {weights}'
+    )
+    assert cli.main(line.split()) == 0
+    report = json.loads(path.read_text())
+    assert {k: report[k] for k in ('scene', 'signal', 'alpha', 'segments', 'seed', 'world')} == {
+        'scene': 'four_waypoints', 'signal': 'constant', 'alpha': 0.01, 'segments': 6,
+        'seed': 3, 'world': 'point',
+    }  # fmt: skip
+    assert [trial['seed'] for trial in report['trials']] == [3, 4]
+    assert set(report['summary']) > {'laps', 'contacts', 'planning_ms', 'wall_s'}
+    assert sorted(p.name for p in tmp_path.iterdir()) == ['e.json', 'w.npz']
+    assert '2 trials of 6 segments' in capsys.readouterr().out
+
+
+def test_an_interrupted_experiment_goes_on_where_it_stopped(tmp_path, monkeypatch):
+    path = tmp_path / 'e.json'
+    line = f'experiment run --world point --segments 4 --trials 3 --workers 1 --json {path}'
+    done = []
+
+    def interrupt(job):
+        if len(done) == 2:
+            raise KeyboardInterrupt
+        done.append(job.seed)
+        return real(job)
+
+    real = schedulers.do
+    monkeypatch.setattr(schedulers, 'do', interrupt)
+    assert cli.main(line.split()) == 130
+    assert not path.exists()
+    monkeypatch.setattr(schedulers, 'do', lambda job: done.append(job.seed) or real(job))
+    assert cli.main(line.split()) == 0
+    assert done == [0, 1, 2]
+    assert [t['seed'] for t in json.loads(path.read_text())['trials']] == [0, 1, 2]
+
+
+def test_a_small_table_has_every_row_beside_the_paper(tmp_path):
+    line = (
+        'experiment table1 --world point --segments 4 --trials 2 --workers 1 '
+        f'--network network --out {tmp_path / "t"}'
+    )
+    assert cli.main(line.split()) == 0
+    names = {'table1.csv', 'table1.json', 'table1.md', 'trials.jsonl'}
+    assert {p.name for p in (tmp_path / 't').iterdir()} == names
+    report = json.loads((tmp_path / 't/table1.json').read_text())
+    assert set(report['rows']) == {*table1.ROWS, *table1.YARDSTICKS}
+    assert report['paper']['local']['reached'] == [13.7, 1.4]
+    text = (tmp_path / 't/table1.md').read_text()
+    assert '(paper 13.7 ± 1.4)' in text
+    assert len((tmp_path / 't/table1.csv').read_text().splitlines()) == 1 + len(report['rows'])
+
+
+@pytest.mark.parametrize(
+    ('line', 'words'),
+    [
+        ('experiment run --network nett', "no network 'nett'"),
+        ('experiment run --workers 2 --scheduler tcp://h:1', 'not allowed with'),
+        ('experiment run --sgnal local', "did you mean '--signal'?"),
+        ('experiment run --trials 0', 'must be a whole number from 1'),
+        ('experiment table1', '--out'),
+        ('experiment', 'EXPERIMENT'),
+    ],
+)
+def test_a_mistyped_experiment_is_refused_in_one_line(line, words, capsys):
+    with contextlib.suppress(SystemExit):
+        assert cli.main(line.split()) == 2
+    error = capsys.readouterr().err
+    assert words in error
+    assert len(error.splitlines()) == 1
