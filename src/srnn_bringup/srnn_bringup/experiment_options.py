@@ -3,10 +3,9 @@
 
 import argparse
 from collections.abc import Callable
-from pathlib import Path
 
 from srnn_bringup.command_line import Parser
-from srnn_bringup.config import Choices, Configuration, load
+from srnn_bringup.config import SEED_MAX, Choices, Configuration, load
 from srnn_bringup.options import (
     add_learning,
     add_network,
@@ -16,11 +15,14 @@ from srnn_bringup.options import (
     new_file,
     whole,
 )
+from srnn_experiments.random_scenes_report import HELD_OUT
 from srnn_experiments.setting import AGENTS, WORLDS
 
 PAPER = 'network_paper'
 SEGMENTS, TRIALS = 300, 10
 """Length and number of trials, as in the paper."""
+
+SCENES = 100
 
 SEGMENTS_MAX, TRIALS_MAX, WORKERS_MAX = 100_000, 100_000, 1024
 
@@ -34,6 +36,7 @@ def add_experiments(
     parsers = {}
     for name, text, add, run in (
         ('run', 'Do many trials of one setting on simulated time.', _add_run, _run),
+        ('random', 'Random solvable scenes, one trial each.', _add_random, _random),
         ('table1', "The paper's Table 1, beside the paper's own numbers.", _add_table, _table1),
     ):
         parser = table.add_parser(name, help=text, description=text, allow_abbrev=False)
@@ -46,14 +49,19 @@ def add_experiments(
 def _add_common(parser: argparse.ArgumentParser, trials: int) -> None:
     add_scene(parser)
     parser.add_argument(
-        '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
-        help='length of a trial (default: %(default)s)',
-    )
-    parser.add_argument(
         '--trials', type=whole(1, TRIALS_MAX), default=trials, metavar='M',
         help='number of trials (default: %(default)s)',
     )
     add_seed(parser, 'seed of the first trial, the others follow')
+    _add_execution(parser)
+
+
+def _add_execution(parser: argparse.ArgumentParser) -> None:
+    """Add how long trials are, in which world, and where they are done."""
+    parser.add_argument(
+        '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
+        help='length of a trial (default: %(default)s)',
+    )
     parser.add_argument(
         '--world', choices=WORLDS, default='mujoco',
         help='the simulated arm, or a point that stops at obstacles (default: %(default)s)',
@@ -84,9 +92,27 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--json', type=new_file, metavar='FILE', help='figures to write')
 
 
+def _add_random(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        '--first', type=whole(0, SEED_MAX), default=HELD_OUT, metavar='S',
+        help='seed of the first scene, the others follow (default: %(default)s)',
+    )
+    parser.add_argument(
+        '--scenes', type=whole(1, TRIALS_MAX), default=SCENES, metavar='N',
+        help='number of scenes (default: %(default)s)',
+    )
+    _add_execution(parser)
+    add_network(parser)
+    _add_out(parser)
+
+
 def _add_table(parser: argparse.ArgumentParser) -> None:
     _add_common(parser, TRIALS)
     add_network(parser, PAPER)
+    _add_out(parser)
+
+
+def _add_out(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--out', type=new_directory, required=True, metavar='DIR', help='directory to write to'
     )
@@ -116,6 +142,17 @@ def _run(options: argparse.Namespace) -> int:
     return run_experiment(_configuration(options), asked, print)
 
 
+def _random(options: argparse.Namespace) -> int:
+    from srnn_bringup.experiment import base_setting, make_scheduler
+    from srnn_bringup.random_scenes import run_random_scenes
+
+    configuration = load(Choices(network=options.network))
+    base = base_setting(configuration, options.segments, options.world)
+    seeds = range(options.first, options.first + options.scenes)
+    scheduler = make_scheduler(options.workers, options.scheduler)
+    return run_random_scenes(base, seeds, scheduler, options.out, print)
+
+
 def _table1(options: argparse.Namespace) -> int:
     from srnn_bringup.experiment import base_setting, make_scheduler
     from srnn_bringup.table1 import run_table1
@@ -123,4 +160,4 @@ def _table1(options: argparse.Namespace) -> int:
     base = base_setting(_configuration(options), options.segments, options.world)
     seeds = range(options.seed, options.seed + options.trials)
     scheduler = make_scheduler(options.workers, options.scheduler)
-    return run_table1(base, seeds, scheduler, Path(options.out), print)
+    return run_table1(base, seeds, scheduler, options.out, print)

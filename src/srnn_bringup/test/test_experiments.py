@@ -82,3 +82,20 @@ def test_a_mistyped_experiment_is_refused_in_one_line(line, words, capsys):
     error = capsys.readouterr().err
     assert words in error
     assert len(error.splitlines()) == 1
+
+
+def test_random_scenes_are_reported_failures_first_and_remembered(tmp_path, capsys):
+    line = (
+        'experiment random --first 3 --scenes 2 --world point --segments 4 --workers 1 '
+        f'--out {tmp_path / "r"}'
+    )
+    assert cli.main(line.split()) == 0
+    found = json.loads((tmp_path / 'r/random.json').read_text())
+    assert [scene['seed'] for scene in found['scenes']] == [3, 4]
+    assert found['failed_seeds'] == [3, 4]
+    assert len((tmp_path / 'r/trials.jsonl').read_text().splitlines()) == 4
+    assert 'Learned' in capsys.readouterr().out
+    before = (tmp_path / 'r/random.md').read_text()
+    assert cli.main(line.split()) == 0
+    assert (tmp_path / 'r/random.md').read_text() == before
+    assert len((tmp_path / 'r/trials.jsonl').read_text().splitlines()) == 4

@@ -10,13 +10,17 @@ from srnn_experiments.segment_record import SegmentRecord, path_length
 from srnn_experiments.spread import mean_sd, spread
 from srnn_msgs_py.result import ResultCode
 
+LATE = 100
+"""Segments at the end of a run by which it is judged."""
+
 
 def run_figures(records: Sequence[SegmentRecord], blocked: int) -> dict[str, Any]:
     """Return the figures that follow from the segments of a run.
 
     ``path_length_m`` is the length of everything the tip did, ``segments_to_blocked``
-    the number of segments for each visit of the way point behind the obstacle, and
-    segments are numbered from 1.
+    the number of segments for each visit of the way point behind the obstacle,
+    ``still_reached`` tells whether every way point was reached in the last 100
+    segments, and segments are numbered from 1.
 
     Args:
         records: segments of the run, in order.
@@ -28,12 +32,13 @@ def run_figures(records: Sequence[SegmentRecord], blocked: int) -> dict[str, Any
         'segments_executed': len(records),
         'updates_triggered': sum(record.updated for record in records),
         'contacts': len(touches),
-        'contacts_last_100': _after(touches, len(records) - 100),
+        'contacts_last_100': _after(touches, len(records) - LATE),
         'contacts_last_third': _after(touches, len(records) - len(records) // 3),
         'contact_segments': touches,
         'laps': records[-1].after.laps if records else 0,
         'waypoints_reached': records[-1].after.reached if records else 0,
         'segments_to_blocked': visits(records, blocked),
+        'still_reached': still_reached(records),
         'planning_ms': spread([r.planning_ms for r in records if r.planning_ms is not None]),
         'update_ms': spread([r.lesson.update_ms for r in records if r.lesson and r.updated]),
         'planned_execution_s': mean_sd([record.plan.duration for record in records]),
@@ -54,6 +59,12 @@ def visits(records: Sequence[SegmentRecord], index: int) -> list[int]:
             counts.append(count)
             count = 0
     return counts
+
+
+def still_reached(records: Sequence[SegmentRecord]) -> bool:
+    """Tell whether every way point was reached in the last `LATE` segments."""
+    late = {record.before.active for record in records[-LATE:] if record.reached}
+    return bool(records) and len(late) == len(records[-1].after.waypoints)
 
 
 def tracking_rmse(records: Sequence[SegmentRecord]) -> float | None:
