@@ -36,7 +36,8 @@ DEAF = """
 
 
 def python(name: str, code: str) -> Command:
-    return Command(name, (sys.executable, '-c', textwrap.dedent(code)), os.environ)
+    environment = {**os.environ, 'PYTHONUNBUFFERED': '1'}
+    return Command(name, (sys.executable, '-c', textwrap.dedent(code)), environment)
 
 
 def wait_for(condition):
