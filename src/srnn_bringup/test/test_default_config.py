@@ -2,7 +2,7 @@
 import pytest
 import yaml
 
-from srnn_bringup.config import FILES, config_directory
+from srnn_bringup.config import FILES, NetworkFile, config_directory
 from srnn_bringup.default_config import WIDTH, render, write
 from srnn_config import build, read_yaml, to_mapping
 from srnn_node.parameters import leaves
@@ -35,3 +35,14 @@ def test_every_parameter_is_explained_with_its_unit(name):
 @pytest.mark.parametrize('name', FILES)
 def test_no_line_is_too_long_to_read(name):
     assert max(map(len, render(FILES[name]()).splitlines())) <= WIDTH
+
+
+def test_the_setting_of_the_paper_states_every_key_and_what_the_paper_states():
+    data = read_yaml(config_directory() / 'network_paper.yaml')
+    found = build(NetworkFile, data, 'network_paper.yaml')
+    assert data == to_mapping(found)
+    network, learning = found.model.network, found.model.learning
+    assert (network.neurons_per_dimension, network.dimensions, network.tau) == (15, 2, 10)
+    assert (learning.global_threshold, learning.local_threshold) == (0.02, 0.05)
+    assert (learning.limit, learning.local_scale, learning.replays) == (0.3, 3.0, 20)
+    assert found.planning.sampling.samples == 40
