@@ -71,7 +71,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('demo', 'Learn an obstacle live on the simulated arm, and report.'),
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
-            ('experiment', 'Many trials on simulated time: runs, tables, figures.'),
+            ('experiment', 'Many trials on simulated time: runs and tables.'),
         )
     }  # fmt: skip
     _add_demo(commands['demo'])

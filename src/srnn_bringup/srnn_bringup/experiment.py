@@ -61,6 +61,7 @@ def base_setting(
         segments=segments,
         world=world,
         agent=agent,
+        mount=configuration.arm.mount,
         arm=configuration.arm.arm,
         tracking=configuration.tracking.tracking,
         weights=configuration.start_weights() if given else None,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`srnn experiment table1`: every row of the table, written as CSV, JSON, text and picture."""
+"""`srnn experiment table1`: every row of the table, written as CSV, JSON and text."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict

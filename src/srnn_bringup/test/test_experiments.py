@@ -2,11 +2,14 @@
 """`srnn experiment`: what it writes, what it remembers, what it refuses."""
 
 import contextlib
+from dataclasses import replace
 import json
 
 import pytest
 
 from srnn_bringup import cli
+from srnn_bringup.config import Choices, load
+from srnn_bringup.experiment import base_setting
 from srnn_experiments import schedulers, table1
 
 
@@ -63,6 +66,19 @@ def test_a_small_table_has_every_row_beside_the_paper(tmp_path):
     text = (tmp_path / 't/table1.md').read_text()
     assert '(paper 13.7 ± 1.4)' in text
     assert len((tmp_path / 't/table1.csv').read_text().splitlines()) == 1 + len(report['rows'])
+
+
+def test_trials_are_done_with_the_whole_configuration():
+    configuration = load(Choices(network='network_paper', signal='global'))
+    arm = configuration.arm
+    heavier = replace(arm, mount=replace(arm.mount, tool_mass=arm.mount.tool_mass + 0.5))
+    setting = base_setting(replace(configuration, arm=heavier), 9, 'point', 'oracle')
+    assert (setting.mount, setting.arm) == (heavier.mount, arm.arm)
+    assert setting.tracking == configuration.tracking.tracking
+    assert setting.brain.model == configuration.network.model
+    assert setting.brain.planning == configuration.network.planning
+    assert (setting.scene, setting.weights) == (configuration.scene, None)
+    assert (setting.segments, setting.world, setting.agent) == (9, 'point', 'oracle')
 
 
 @pytest.mark.parametrize(

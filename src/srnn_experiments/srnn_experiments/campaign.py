@@ -40,13 +40,6 @@ class Scheduler(Protocol):
         """Yield index and result of every job, in the order in which they end."""
 
 
-class Progress(Protocol):
-    """Shows how far a campaign is."""
-
-    def update(self, count: int) -> Any:
-        """Take in that so many more trials are done."""
-
-
 def do(job: Job) -> dict[str, Any]:
     """Do one trial; this is what a worker runs."""
     # Sums of a matrix product depend on the number of threads, decisions must not.

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The cores of all nodes in one process, on the clock of a world."""
 
-from collections.abc import Callable
 from time import perf_counter
 
 import numpy as np
@@ -29,7 +28,6 @@ class LockStep:
 
     Attributes:
         records: the segments that are over, in order.
-        on_record: called with every new record.
         sequencer: task, schedule and counters.
 
     """
@@ -44,7 +42,6 @@ class LockStep:
     ) -> None:
         """Let `agent` move what is in `world` along the way points of `scene`."""
         self.records: list[SegmentRecord] = []
-        self.on_record: Callable[[SegmentRecord], None] = lambda record: None
         self._world = world
         self._agent = agent
         self._sent: dict[int, tuple[Segment, float]] = {}
@@ -86,7 +83,6 @@ class LockStep:
         self.records.append(
             SegmentRecord(number, plan, path, result, lesson, planning_ms, before, after)
         )
-        self.on_record(self.records[-1])
         self.sequencer.learned(result.stamp_ns)
         self.sequencer.result(result, now)
         self._world.set_segment(number)

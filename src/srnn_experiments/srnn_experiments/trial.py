@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """One trial: a setting and a seed."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
@@ -36,23 +35,12 @@ class Outcome:
     weights: NDArray[np.float32] | None
 
 
-def run_trial(
-    setting: Setting, seed: int, on_record: Callable[[SegmentRecord], None] | None = None
-) -> Outcome:
-    """Run one trial; equal arguments give equal decisions, bit for bit.
-
-    Args:
-        setting: what is tried.
-        seed: of all random numbers.
-        on_record: called with every segment that is over.
-
-    """
+def run_trial(setting: Setting, seed: int) -> Outcome:
+    """Run one trial; equal arguments give equal decisions, bit for bit."""
     began = perf_counter()
     agent = make_agent(setting, seed)
     world = make_world(setting, seed)
     run = make_run(setting, world, agent)
-    if on_record is not None:
-        run.on_record = on_record
     records = run.run(setting.segments)
     counters = run.sequencer.counters
     figures = {

@@ -24,12 +24,9 @@ class DetourField:
             inhibition: (K,) input that obstacles give to each neuron, at most 0.
 
         """
-        pre, post = np.nonzero(np.triu(neurons.prior_weights > 0.0, 1))
-        self._pre = np.concatenate([pre, post])
-        self._post = np.concatenate([post, pre])
-        order = np.argsort(self._post, kind='stable')
-        self._pre, self._post = self._pre[order], self._post[order]
         count = len(neurons.positions)
+        steps = (neurons.prior_weights > 0.0) & ~np.eye(count, dtype=bool)
+        self._post, self._pre = np.nonzero(steps.T)
         self._first = np.searchsorted(self._post, np.arange(count + 1))
         self._positions = neurons.positions
         step = neurons.positions[self._pre] - neurons.positions[self._post]
