@@ -49,7 +49,8 @@ def test_segments_lead_towards_the_way_point():
 
 def test_kept_samples_are_averaged():
     plan = planner().plan(request())
-    share = PLANNING.selection.mode_share * PLANNING.sampling.samples
+    selection = PLANNING.selection
+    share = selection.mode_share * selection.promising * PLANNING.sampling.samples
     assert plan.samples.shape == (40, PLANNING.sampling.steps, 2)
     assert plan.kept.sum() == round(share)
 

@@ -6,7 +6,7 @@ import pytest
 
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_planner.core.parameters import PlanningParameters
-from srnn_planner.core.sequencer import LOST_AFTER, RETRY, Sequencer
+from srnn_planner.core.sequencer import LOST_AFTER, RETREATS, RETRY, Sequencer
 from srnn_planner.core.task import WaypointTask
 from srnn_planner.core.trajectory import Motion, time_path
 from srnn_planner.core.workspace import Workspace
@@ -108,6 +108,29 @@ def test_dead_adapter_delays_planning_only_by_the_bounded_wait(sequencer):
     wait = PLANNING.schedule.learning_wait
     assert sequencer.request(0.5 + 0.9 * wait) is None
     assert sequencer.request(0.5 + 1.1 * wait) is not None
+
+
+def touch(sequencer, stamp, path, now):
+    """Let a segment end in a contact; return how far the next one goes back [m]."""
+    sequencer.sent(stamp, straight(), 0.01, now)
+    sequencer.executed(stamp, path)
+    sequencer.tip(path[-1])
+    sequencer.result(result(stamp, ResultCode.BLOCKED), now)
+    sequencer.learned(stamp)
+    return np.linalg.norm(sequencer.request(now).retreat_to - path[-1])
+
+
+def test_every_contact_in_a_row_sends_the_arm_farther_back_up_to_a_limit(sequencer):
+    came = np.linspace(HERE, [0.2, 0.0], 200)
+    stuck = np.repeat([[0.2, 0.0]], 5, axis=0)
+    retreat = PLANNING.trajectory.retreat
+    for number in range(1, RETREATS + 3):
+        back = touch(sequencer, number, came if number == 1 else stuck, float(number))
+        assert back == pytest.approx(min(number, RETREATS) * retreat, abs=0.0011)
+    sequencer.sent(90, straight(), 0.01, 50.0)
+    sequencer.executed(90, came)
+    sequencer.result(result(90, ResultCode.DONE), 51.0)
+    assert touch(sequencer, 91, came, 52.0) == pytest.approx(retreat, abs=0.0011)
 
 
 def test_contact_drops_the_segment_that_was_waiting(sequencer):

@@ -76,8 +76,8 @@ class ContextParameters(Parameters):
         0.75, above=0.0, maximum=10.0, doc='Exponent b of the generalized error distribution.'
     )
     aversion: float = parameter(
-        0.0, minimum=0.0, maximum=1000.0,
-        doc='A step of the way whose synapse has lost 1 counts as 1 + this; 0: as the crow flies.',
+        10.0, minimum=0.0, maximum=1000.0,
+        doc='A step whose synapse has lost 1 counts as 1 + this many; 0: nothing is avoided.',
     )
     spike_probability_start: float = parameter(
         0.5, minimum=0.0, maximum=1.0,
@@ -134,6 +134,14 @@ class SamplingParameters(Parameters):
 class SelectionParameters(Parameters):
     """Which samples are averaged into the plan."""
 
+    promising: float = parameter(
+        0.5, above=0.0, maximum=1.0,
+        doc='Share of the samples, those that lead on best by what was learned, to choose from.',
+    )
+    caution: float = parameter(
+        0.2, unit='units', minimum=0.0, maximum=10.0,
+        doc='The worst blockage that a sample meets counts as if it lasted for this long.',
+    )
     rule: str = parameter(
         'mode_seeking', choices=('three_sigma', 'mode_seeking'),
         doc="The paper's three-sigma rule on directions, or the densest mode of them alone.",
@@ -221,10 +229,10 @@ class LearningParameters(Parameters):
         0.3, above=0.0, maximum=1.0, doc='Upper limit of any learning signal.'
     )
     local_scale: float = parameter(
-        12.0, above=0.0, maximum=1000.0, doc='c of the local signals.'
+        30.0, above=0.0, maximum=1000.0, doc='c of the local signals.'
     )
     horizon: float = parameter(
-        10.0, unit='units', above=0.0, maximum=10.0,
+        0.15, unit='units', above=0.0, maximum=10.0,
         doc='What was planned farther than this from where the arm was stopped teaches nothing.',
     )
     replays: int = parameter(

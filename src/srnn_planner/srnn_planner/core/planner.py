@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_config.scene import Obstacle
+from srnn_planner.core.blockage import Blockage
 from srnn_planner.core.context import ContextPopulation, draw_centres, way_point_population
 from srnn_planner.core.decoding import decode, window
-from srnn_planner.core.detour import DetourField
 from srnn_planner.core.encoding import draw_history, spike_probability
 from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import (
@@ -18,12 +18,14 @@ from srnn_planner.core.parameters import (
     PlanningParameters,
     TrajectoryParameters,
 )
+from srnn_planner.core.promise import expected_cost, promising
 from srnn_planner.core.retreat import at_rest, back_off
 from srnn_planner.core.sampling import Draws, SampleInput, thin
 from srnn_planner.core.sampling_kernel import sample_activity
 from srnn_planner.core.selection import select
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.trajectory import Motion, Trajectory, time_path
+from srnn_planner.core.ways import Ways
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +46,20 @@ class PlanRequest:
     target: NDArray[np.float64]
     velocity: float
     retreat_to: NDArray[np.float64] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Goal:
+    """What the network, with its weights of the moment, knows of a way point.
+
+    Attributes:
+        context: the population of neurons that pulls there.
+        remaining: (K,) length of the way there from each state neuron [units].
+
+    """
+
+    context: ContextPopulation
+    remaining: NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,9 +108,11 @@ class SegmentPlanner:
         )
         positions = model.workspace.to_metres(self.neurons.positions)
         self._bias = obstacle_input(positions, known, planning.obstacles)
-        self._detours = DetourField(self.neurons, self._bias)
+        self._ways = Ways(self.neurons, self._bias)
+        self._belief = Blockage(self.neurons, self._bias)
+        self._blockage = self._belief.of(self.weights)
         self._centres: dict[bytes, NDArray[np.float64]] = {}
-        self._contexts: dict[bytes, ContextPopulation] = {}
+        self._goals: dict[bytes, Goal] = {}
 
     def warm_up(self) -> None:
         """Compile every kernel without touching the stream of random numbers."""
@@ -102,7 +120,7 @@ class SegmentPlanner:
         self._rng, self._uniform_rng = np.random.default_rng(0).spawn(2)
         rest = Motion(np.zeros(self._dimensions), np.zeros(self._dimensions))
         self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
-        self._contexts.clear()
+        self._goals.clear()
         self._centres.clear()
         self._rng, self._uniform_rng = kept
 
@@ -114,7 +132,8 @@ class SegmentPlanner:
 
         """
         self.weights = self.neurons.check_weights(weights)
-        self._contexts.clear()
+        self._blockage = self._belief.of(self.weights)
+        self._goals.clear()
 
     def plan(self, request: PlanRequest) -> Plan:
         """Plan one segment."""
@@ -123,7 +142,9 @@ class SegmentPlanner:
         kept = np.zeros(len(paths), dtype=bool)
         if valid.mean() < self.planning.sampling.valid_share:
             return Plan(None, paths, kept)
-        kept[valid] = select(paths[valid], self.planning.selection)
+        candidates = np.flatnonzero(valid)
+        candidates = candidates[self._promising(paths[candidates], request.target)]
+        kept[candidates] = select(paths[candidates], self.planning.selection)
         average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
         extent = self.model.workspace.half_extent
         trajectory = segment_along(average, request, self.planning.trajectory, extent)
@@ -139,7 +160,7 @@ class SegmentPlanner:
 
         """
         network, sampling = self.model.network, self.planning.sampling
-        context = self._context(target)
+        context = self._goal(target).context
         start = self.neurons.responsibilities(position[None])[0]
         size = (sampling.samples, sampling.steps)
         given = SampleInput(
@@ -176,20 +197,29 @@ class SegmentPlanner:
     def _dimensions(self) -> int:
         return self.model.network.dimensions
 
-    def _context(self, target: NDArray[np.float64]) -> ContextPopulation:
+    def _promising(
+        self, paths: NDArray[np.float64], target: NDArray[np.float64]
+    ) -> NDArray[np.bool_]:
+        selection = self.planning.selection
+        cost = expected_cost(
+            paths, self.neurons, self._goal(target).remaining, self._blockage,
+            self.planning.context.aversion, selection.caution,
+        )
+        return promising(cost, selection)
+
+    def _goal(self, target: NDArray[np.float64]) -> Goal:
         key = target.tobytes()
         parameters = self.planning.context
         if key not in self._centres:
             self._centres[key] = draw_centres(target, parameters, self._rng)
-        if key not in self._contexts:
-            detour: NDArray[np.float64] | float = 0.0
-            if parameters.aversion > 0.0:
-                detour = self._detours.detour(self.weights, target, parameters.aversion)
-            self._contexts[key] = way_point_population(
-                self._centres[key], self.neurons.positions,
-                self.planning.sampling.steps, parameters, detour,
+        if key not in self._goals:
+            remaining = self._ways.remaining(self.weights, target, parameters.aversion)
+            context = way_point_population(
+                self._centres[key], self.neurons.positions, self.planning.sampling.steps,
+                parameters, self._ways.detour(remaining, target),
             )
-        return self._contexts[key]
+            self._goals[key] = Goal(context, remaining)
+        return self._goals[key]
 
 
 def segment_along(

@@ -21,6 +21,9 @@ RETRY = 0.1
 PATIENCE = 4
 """The pause doubles with every further rejection in a row, this many times."""
 
+RETREATS = 4
+"""The way back grows with every contact in a row, up to this many times the first."""
+
 LOST_AFTER = 1.0
 """A segment without a result this long after its expected end counts as lost [s]."""
 
@@ -80,6 +83,7 @@ class Sequencer:
         self._touched: int | None = None
         self._executed_stamp = self._learned_stamp = 0
         self._retreating = False
+        self._touches_in_a_row = 0
         self._refused_in_a_row = 0
         self._not_before = 0.0
 
@@ -136,9 +140,8 @@ class Sequencer:
             return None
         if self._running is not None:
             return self._onward(self._running, now)
-        retreat = self._trail.back(self._planning.trajectory.retreat) if self._retreating else None
         return PlanRequest(
-            self._tip, at_rest(self._tip), self.task.target, self._velocity, retreat
+            self._tip, at_rest(self._tip), self.task.target, self._velocity, self._retreat()
         )
 
     def sent(self, stamp_ns: int, trajectory: Trajectory, seconds: float, now: float) -> None:
@@ -173,11 +176,19 @@ class Sequencer:
         measured = end.position + self._tip - np.array(columns)
         return PlanRequest(measured, end, ahead.target, self._velocity)
 
+    def _retreat(self) -> NDArray[np.float64] | None:
+        """Return where to go back to; farther after every contact in a row."""
+        if not self._retreating:
+            return None
+        times = min(self._touches_in_a_row, RETREATS)
+        return self._trail.back(times * self._planning.trajectory.retreat)
+
     def _flight(self, stamp_ns: int) -> Flight | None:
         flights = (self._running, self._waiting)
         return next((f for f in flights if f is not None and f.stamp_ns == stamp_ns), None)
 
     def _done(self, now: float) -> None:
+        self._touches_in_a_row = 0
         if self._waiting is None:
             self.counters.deadline_misses += 1
             self._running = None
@@ -188,6 +199,7 @@ class Sequencer:
 
     def _blocked(self, stamp_ns: int, now: float) -> None:
         self.counters.contacts += 1
+        self._touches_in_a_row += 1
         self._running = self._waiting = None
         self._retreating = True
         self._touched = stamp_ns

@@ -23,9 +23,9 @@ class StateNeurons:
     def __init__(self, parameters: NetworkParameters) -> None:
         """Lay the grid out."""
         self.parameters = parameters
-        axis = np.linspace(-1.0, 1.0, parameters.neurons_per_dimension)
+        self._axis = np.linspace(-1.0, 1.0, parameters.neurons_per_dimension)
         self.positions: NDArray[np.float64] = np.array(
-            list(itertools.product(axis, repeat=parameters.dimensions))
+            list(itertools.product(self._axis, repeat=parameters.dimensions))
         )
         self.positions.flags.writeable = False
 
@@ -42,9 +42,25 @@ class StateNeurons:
     def responsibilities(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return omega (n, K): the basis at points (n, d), normalised over the neurons."""
         exponent = -0.5 * _squared_distances(points, self.positions) / self.parameters.sigma**2
-        # Relative to the nearest neuron, so that a point far outside does not give 0/0.
-        basis = np.exp(exponent - exponent.max(axis=1, keepdims=True))
-        return np.asarray(basis / basis.sum(axis=1, keepdims=True))
+        return _normalised(exponent)
+
+    def interpolate(
+        self, values: NDArray[np.float64], points: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the mean of values (K,) by the responsibilities of points (n, d), as (n,).
+
+        The basis is a product over the dimensions, and so are the responsibilities:
+        n d M exponentials are taken for M neurons per dimension, not n K.
+        """
+        first, *others = (self._responsibilities_along(x) for x in points.T)
+        mean = first @ values.reshape(len(self._axis), -1)
+        for share in others:
+            mean = np.einsum('nm,nmr->nr', share, mean.reshape(*share.shape, -1))
+        return np.asarray(mean[:, 0])
+
+    def _responsibilities_along(self, coordinate: NDArray[np.float64]) -> NDArray[np.float64]:
+        distance = (coordinate[:, None] - self._axis) / self.parameters.sigma
+        return _normalised(-0.5 * distance**2)
 
     @cached_property
     def prior_weights(self) -> NDArray[np.float32]:
@@ -74,6 +90,12 @@ class StateNeurons:
         if np.abs(weights).max() > 1.0:
             raise WeightsError(f'weights reach {np.abs(weights).max():g}: must lie in [-1, 1]')
         return np.ascontiguousarray(weights, dtype=np.float32)
+
+
+def _normalised(exponent: NDArray[np.float64]) -> NDArray[np.float64]:
+    # Relative to the nearest neuron, so that a point far outside does not give 0/0.
+    basis = np.exp(exponent - exponent.max(axis=1, keepdims=True))
+    return np.asarray(basis / basis.sum(axis=1, keepdims=True))
 
 
 def _squared_distances(

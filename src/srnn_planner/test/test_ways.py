@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from srnn_config.scene import Obstacle
-from srnn_planner.core.detour import DetourField
 from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import NetworkParameters, ObstacleParameters
 from srnn_planner.core.shortest_way import distances
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.ways import Ways
 
 NEURONS = StateNeurons(NetworkParameters())
 PRIOR = NEURONS.prior_weights
@@ -33,43 +33,64 @@ def at(x, y):
     return int(np.argmin(np.linalg.norm(NEURONS.positions - [x, y], axis=1)))
 
 
+def detour(weights, aversion, target=TARGET, inhibition=FREE):
+    ways = Ways(NEURONS, inhibition)
+    return ways.detour(ways.remaining(weights, target, aversion), target)
+
+
 @settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 2**32 - 1), aversion=st.floats(0.1, 50.0))
 def test_detours_are_never_negative_and_grow_with_aversion(seed, aversion):
     rng = np.random.default_rng(seed)
     weights = np.clip(PRIOR - rng.exponential(0.2, PRIOR.shape), -1.0, 1.0).astype(np.float32)
-    field = DetourField(NEURONS, FREE)
     target = rng.uniform(-0.9, 0.9, 2)
-    less, more = (field.detour(weights, target, a) for a in (aversion, 2.0 * aversion))
+    less, more = (detour(weights, a, target) for a in (aversion, 2.0 * aversion))
     assert (less >= 0.0).all()
     assert (more >= less - 1e-12).all()
 
 
-def test_nothing_learned_means_no_detour():
-    assert not DetourField(NEURONS, FREE).detour(PRIOR, TARGET, 5.0).any()
+def test_nothing_learned_means_no_detour_and_hardly_more_than_the_beeline():
+    assert not detour(PRIOR, 5.0).any()
+    remaining = Ways(NEURONS, FREE).remaining(PRIOR, TARGET, 5.0)
+    beeline = np.linalg.norm(NEURONS.positions - TARGET, axis=1)
+    assert (remaining >= beeline - 1e-12).all()
+    # Steps reach up to two neurons far, in 16 directions.
+    assert (remaining <= 1.05 * beeline + 0.02).all()
+
+
+def test_without_aversion_nothing_is_a_detour():
+    assert not detour(blocked_column(), 0.0).any()
 
 
 def test_behind_a_wall_the_way_is_longer_before_it_not():
-    detour = DetourField(NEURONS, FREE).detour(blocked_column(), TARGET, 20.0)
-    assert detour[at(-0.3, 0.0)] > 0.3
-    assert detour[at(0.5, 0.0)] == pytest.approx(0.0, abs=1e-9)
-    assert detour[at(-0.3, 0.0)] > detour[at(-0.3, 0.6)]
+    found = detour(blocked_column(), 20.0)
+    assert found[at(-0.3, 0.0)] > 0.3
+    assert found[at(0.7, 0.0)] == pytest.approx(0.0, abs=1e-9)
+    assert found[at(-0.3, 0.0)] > found[at(-0.3, 0.6)]
 
 
-def test_no_way_is_longer_than_round_the_wall():
-    """The way over the end of the wall is free of what was learned."""
-    detour = DetourField(NEURONS, FREE).detour(blocked_column(), TARGET, 1000.0)
-    start, corner = np.array([-0.3, 0.0]), np.array([0.0, 0.65])
-    round_it = np.linalg.norm(start - corner) + np.linalg.norm(TARGET - corner)
-    assert detour[at(*start)] < round_it - np.linalg.norm(TARGET - start) + 0.15
+def test_no_way_is_longer_than_well_round_the_wall():
+    """Beyond the reach of the blocked neurons nothing was lost, whatever the aversion."""
+    found = detour(blocked_column(), 1000.0)
+    corners = np.array([[-0.8, 0.0], [-0.6, 1.0], [0.6, 1.0], TARGET])
+    round_it = np.linalg.norm(np.diff(corners, axis=0), axis=1).sum()
+    assert found[at(-0.8, 0.0)] < 1.05 * round_it - 1.6
+
+
+def test_a_gap_too_narrow_for_the_bump_of_activity_is_no_short_cut():
+    wall = blocked_column(reach=0.6)
+    gap = wall.copy()
+    free = np.abs(NEURONS.positions[:, 1]) < 0.05
+    gap[:, free] = PRIOR[:, free]
+    through, none = (detour(w, 20.0)[at(-0.3, 0.0)] for w in (gap, PRIOR))
+    assert none == 0.0
+    assert through > 0.5 * detour(wall, 20.0)[at(-0.3, 0.0)]
 
 
 def test_a_known_obstacle_is_a_detour_without_any_touch():
     box = Obstacle('box', (0.0, 0.0), size=(0.03, 0.24))
-    positions = 0.3 * NEURONS.positions
-    inhibition = obstacle_input(positions, [box], ObstacleParameters())
-    detour = DetourField(NEURONS, inhibition).detour(PRIOR, TARGET, 20.0)
-    assert detour[at(-0.3, 0.0)] > 0.2
+    inhibition = obstacle_input(0.3 * NEURONS.positions, [box], ObstacleParameters())
+    assert detour(PRIOR, 20.0, inhibition=inhibition)[at(-0.3, 0.0)] > 0.2
 
 
 def test_known_obstacles_inhibit_what_is_near_and_nothing_far_away():

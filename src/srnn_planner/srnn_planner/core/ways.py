@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How long the way to a target is, by what was learned."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core.blockage import Blockage
+from srnn_planner.core.shortest_way import distances
+from srnn_planner.core.state_neurons import StateNeurons
+
+
+class Ways:
+    """Shortest ways over the synapses of the network.
+
+    A synapse that excites by the prior is a step that the arm can make. The more of its
+    weight is lost, and the more of those around it, the longer the step counts.
+    """
+
+    def __init__(self, neurons: StateNeurons, inhibition: NDArray[np.float64]) -> None:
+        """Collect the steps between neurons.
+
+        Args:
+            neurons: grid and prior weights.
+            inhibition: (K,) input that known obstacles give to each neuron, at most 0.
+
+        """
+        self._neurons = neurons
+        self._inhibition = inhibition
+        self._blockage = Blockage(neurons, inhibition)
+        self._post, self._pre = np.nonzero(self._blockage.neighbours.T)
+        self._first = np.searchsorted(self._post, np.arange(len(inhibition) + 1))
+        step = neurons.positions[self._pre] - neurons.positions[self._post]
+        self._length = np.linalg.norm(step, axis=1)
+        spacing = 2.0 / (neurons.parameters.neurons_per_dimension - 1)
+        self._reach = 1.5 * spacing
+
+    def remaining(
+        self, weights: NDArray[np.float32], target: NDArray[np.float64], aversion: float
+    ) -> NDArray[np.float64]:
+        """Return the length of the way from each neuron to the target.
+
+        Args:
+            weights: (K, K) recurrent weights w[pre, post].
+            target: (d,) [units].
+            aversion: a step whose synapse has lost 1 counts as 1 + aversion steps.
+
+        Returns:
+            (K,) [units].
+
+        """
+        change = self._neurons.prior_weights - weights - self._inhibition
+        around = self._blockage.around(self._blockage.of(weights))
+        lost = np.clip(change[self._pre, self._post], 0.0, 2.0) + around[self._post]
+        return self._distances(self._length * (1.0 + aversion * lost), target)
+
+    def detour(
+        self, remaining: NDArray[np.float64], target: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return by how much the ways (K,) to a target are longer than by the prior.
+
+        Where nothing was learned no way gets longer, so that the field of a way point is
+        the one of the prior there.
+        """
+        return np.asarray(np.maximum(remaining - self._distances(self._length, target), 0.0))
+
+    def _distances(
+        self, cost: NDArray[np.float64], target: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        away = np.linalg.norm(self._neurons.positions - target, axis=1)
+        start = np.where(away <= max(self._reach, float(away.min())), away, np.inf)
+        return np.asarray(distances(self._first, self._pre, cost, start))
