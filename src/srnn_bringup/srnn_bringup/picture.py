@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One picture of a run: the path before and after learning, and what was learned."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from srnn_bringup.config import Configuration
 from srnn_config.geometry import outline
-from srnn_config.scene import EDGE, Scene
+from srnn_config.scene import EDGE, Obstacle, Scene
 from srnn_experiments.segment_record import SegmentRecord
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synaptic_change import input_change, output_change
@@ -41,7 +41,7 @@ OBSTACLE, REACH, NEURON = '#8d99ae', '#adb5bd', '#6c757d'
 NEURON_AREA = 130.0
 """Area of the neuron whose output changed most [square points]."""
 
-_STYLE: Any = {
+STYLE: Any = {
     'axes.edgecolor': REACH, 'axes.labelcolor': INK, 'axes.titlesize': 14,
     'axes.labelsize': 12, 'font.size': 12, 'text.color': INK,
     'xtick.color': INK, 'ytick.color': INK, 'xtick.labelsize': 11, 'ytick.labelsize': 11,
@@ -78,7 +78,7 @@ class Story:
 
 def draw(story: Story, path: Path) -> None:
     """Draw the picture of a run into a file; its suffix selects the format."""
-    with rc_context(_STYLE):
+    with rc_context(STYLE):
         figure = Figure(figsize=SIZE, dpi=DPI)
         left, right = figure.add_axes(LEFT), figure.add_axes(RIGHT)
         _draw_paths(left, story)
@@ -94,7 +94,7 @@ def draw(story: Story, path: Path) -> None:
             RIGHT[0] + RIGHT[2] / 2, CAPTION, 'circles: neurons, larger where output has changed',
             ha='center', va='center',
         )  # fmt: skip
-        _draw_signal(figure.add_axes(STRIP), story)
+        draw_signal(figure.add_axes(STRIP), story.records)
         figure.savefig(path)
 
 
@@ -115,13 +115,14 @@ def _draw_paths(axes: Axes, story: Story) -> None:
             *np.array(touches).T, 'x', ms=9, mew=2.4, color=TOUCH, zorder=5,
             label=f'touches ({len(touches)})',
         )  # fmt: skip
-    _draw_obstacles(axes, story.scene, OBSTACLE)
-    _draw_waypoints(axes, story.scene)
+    draw_obstacles(axes, story.scene.obstacles, OBSTACLE)
+    draw_waypoints(axes, story.scene)
     axes.set_title('The way round, learned by touch' if last else 'Path of the tip')
-    _frame(axes, story)
+    frame(axes, story.scene, story.records)
 
 
-def _draw_waypoints(axes: Axes, scene: Scene) -> None:
+def draw_waypoints(axes: Axes, scene: Scene) -> None:
+    """Draw the way points of a scene with their numbers, and where they count as reached."""
     for number, point in enumerate(scene.waypoints, start=1):
         radius = scene.task.reach_radius
         axes.add_patch(Circle(point, radius, fill=False, ec=REACH, lw=1.2, ls=(0, (4, 3))))
@@ -147,25 +148,27 @@ def _draw_change(axes: Axes, story: Story) -> AxesImage:
     neurons = extent * StateNeurons(network).positions
     x, y = neurons.T
     axes.scatter(x, y, s=area, color='white', ec=NEURON, lw=0.8, alpha=0.9, zorder=4)
-    _draw_obstacles(axes, story.scene, 'none')
+    draw_obstacles(axes, story.scene.obstacles, 'none')
     axes.set_title('What has changed in the network')
-    _frame(axes, story)
+    frame(axes, story.scene, story.records)
     axes.tick_params(labelleft=False)
     return image
 
 
-def _draw_obstacles(axes: Axes, scene: Scene, colour: str) -> None:
-    for obstacle in scene.obstacles:
+def draw_obstacles(axes: Axes, obstacles: Iterable[Obstacle], colour: str) -> None:
+    """Draw obstacles as they stand in the plane."""
+    for obstacle in obstacles:
         axes.add_patch(Polygon(outline(obstacle), fc=colour, ec=INK, lw=1.8, zorder=4.5))
 
 
-def _draw_signal(axes: Axes, story: Story) -> None:
-    lessons = [(record.number, record.lesson.peak) for record in story.records if record.lesson]
+def draw_signal(axes: Axes, records: Sequence[SegmentRecord]) -> None:
+    """Draw the largest learning signal of every segment, and which ended in a contact."""
+    lessons = [(record.number, record.lesson.peak) for record in records if record.lesson]
     numbers, peaks = np.array(lessons).T if lessons else np.zeros((2, 0))
     axes.bar(numbers, peaks, width=0.9, color=BEFORE)
-    touches = [record.number for record in story.records if record.touched]
+    touches = [record.number for record in records if record.touched]
     axes.plot(touches, np.zeros(len(touches)), 'x', color=TOUCH, mew=2.2, ms=7, clip_on=False)
-    count = len(story.records)
+    count = len(records)
     axes.set_xlim(0.0, max(count, 10) + 1)
     axes.set_ylim(0.0, 1.15 * max(float(np.max(peaks, initial=0.0)), 0.05))
     axes.set_xlabel('segment')
@@ -173,13 +176,12 @@ def _draw_signal(axes: Axes, story: Story) -> None:
     axes.spines[['top', 'right']].set_visible(False)
 
 
-def _frame(axes: Axes, story: Story) -> None:
+def frame(axes: Axes, scene: Scene, records: Sequence[SegmentRecord]) -> None:
     """Show the part of the plane where something happens, as a square."""
-    scene = story.scene
     radius = scene.task.reach_radius
     points = np.array(scene.waypoints)
     parts = [points - radius, points + radius, *(outline(o) for o in scene.obstacles)]
-    parts += [record.executed.positions[:, :2] for record in story.records]
+    parts += [record.executed.positions[:, :2] for record in records]
     seen = np.concatenate(parts)
     low, high = seen.min(axis=0), seen.max(axis=0)
     half = min(float((high - low).max()) / 2.0 + 0.015, 1.05 * EDGE)
