@@ -14,7 +14,7 @@ from srnn_experiments.store import TrialStore, unpack
 from srnn_experiments.transfer import Transfer, new_obstacles
 from srnn_experiments.transfer_report import OVERALL, Row, table
 from srnn_experiments.transfer_text import as_csv, as_markdown
-from srnn_experiments.transfer_trial import flaws, target_trial
+from srnn_experiments.transfer_trial import TargetTrial, flaws, target_trial
 
 PICTURE = 'transfer.png'
 
@@ -125,18 +125,21 @@ def _report(
         'trials': {
             name: {
                 'source': [_figures(job, store) for job in of_row.source],
-                'transferred': [
-                    {**_figures(job, store), 'judged': asdict(trial)}
-                    for job, trial in zip(of_row.transferred, rows[name].transferred, strict=True)
-                ],
-                'scratch': [
-                    {**_figures(job, store), 'judged': asdict(trial)}
-                    for job, trial in zip(of_row.scratch, rows[name].scratch, strict=True)
-                ],
+                'transferred': _judged(of_row.transferred, rows[name].transferred, store),
+                'scratch': _judged(of_row.scratch, rows[name].scratch, store),
             }
             for name, of_row in jobs.items()
         },
     }
+
+
+def _judged(
+    jobs: Sequence[Job], trials: Sequence[TargetTrial], store: TrialStore
+) -> list[dict[str, Any]]:
+    return [
+        {**_figures(job, store), 'judged': {**asdict(trial), 'failures': trial.failures}}
+        for job, trial in zip(jobs, trials, strict=True)
+    ]
 
 
 def _figures(job: Job, store: TrialStore) -> dict[str, Any]:

@@ -68,7 +68,7 @@ def statistics(row: Row) -> dict[str, Any]:
     found['targets'] = {
         'few': found['few']['share'] >= SHARE_TARGET,
         'median': found['new']['median'] <= MEDIAN_TARGET,
-        'old': found['old']['max'] == 0,
+        'old': found['old']['total'] == 0,
     }
     return found
 
@@ -90,5 +90,6 @@ def _counts(values: Sequence[int]) -> dict[str, float]:
         'median': median(values),
         'min': min(values),
         'max': max(values),
+        'total': sum(values),
         **describe(values),
     }

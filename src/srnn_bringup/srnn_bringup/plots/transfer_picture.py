@@ -20,7 +20,6 @@ from srnn_bringup.picture import (
     INK,
     OBSTACLE,
     SIZE,
-    STRIP,
     STYLE,
     TOUCH,
     draw_obstacles,
@@ -31,8 +30,10 @@ from srnn_bringup.picture import (
 from srnn_config.scene import Obstacle, Scene
 from srnn_experiments.segment_record import SegmentRecord
 
-LEFT, RIGHT = (0.06, 0.345, 0.405, 0.5927), (0.53, 0.345, 0.405, 0.5927)
-"""Left, bottom, width and height of the two maps, as shares of the figure."""
+LEFT, RIGHT, STRIP = (
+    (0.06, 0.345, 0.405, 0.5927), (0.555, 0.345, 0.405, 0.5927), (0.06, 0.075, 0.9, 0.12)
+)  # fmt: skip
+"""Left, bottom, width and height of the parts, as shares of the figure."""
 
 NEW = '#e9c46a'
 """Colour of the obstacle that the weights know nothing of when the trial begins."""
@@ -79,7 +80,7 @@ def draw(story: TransferStory, path: Path) -> None:
         )  # fmt: skip
         strip = figure.add_axes(STRIP)
         draw_signal(strip, story.records)
-        strip.set_title(f'learning signal ({story.title})', loc='left', fontsize=12)
+        strip.set_title(story.title, loc='right', fontsize=12)
         figure.savefig(path)
 
 
