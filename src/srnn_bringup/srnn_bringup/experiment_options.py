@@ -134,7 +134,7 @@ def _add_transfer(parser: argparse.ArgumentParser) -> None:
     _add_common(parser, TRIALS)
     parser.add_argument(
         '--target', default=TARGET_SCENE, metavar='SCENE',
-        help='scene of phase 2, with the obstacles of the other and new ones '
+        help='scene of phase 2: all obstacles of that of phase 1 (--scene), and new ones '
         '(default: %(default)s)',
     )
     add_network(parser)

@@ -20,16 +20,18 @@ PICTURE = 'transfer.png'
 
 
 @dataclass(frozen=True, eq=False)
-class Jobs:
+class Work:
     """The trials of one row, seed by seed.
 
     Attributes:
+        transfer: the row.
         source: phase 1.
         transferred: phase 2, from the weights of phase 1.
         scratch: the same without these weights.
 
     """
 
+    transfer: Transfer
     source: Sequence[Job]
     transferred: Sequence[Job]
     scratch: Sequence[Job]
@@ -52,13 +54,13 @@ def run_transfer(
 
     """
     store = open_store(directory)
-    jobs = _do(transfers, seeds, scheduler, store)
-    rows = {name: _row(transfers[name], of_row, store) for name, of_row in jobs.items()}
+    works = _do(transfers, seeds, scheduler, store)
+    rows = {name: _row(work, store) for name, work in works.items()}
     found = table(rows)
     text = as_markdown(transfers, rows, found, seeds, PICTURE)
-    report = _report(transfers, jobs, rows, found, store)
+    report = _report(works, rows, found, store)
     write_results(directory, 'transfer', report, text, as_csv(rows))
-    _draw(transfers, jobs, rows, directory / PICTURE)
+    _draw(works, rows, directory / PICTURE)
     say(text.split('\n## ')[0])
     say(f'report: {directory / "transfer.md"}, transfer.csv, transfer.json, {PICTURE}')
     return 0
@@ -69,66 +71,66 @@ def _do(
     seeds: Sequence[int],
     scheduler: Scheduler,
     store: TrialStore,
-) -> dict[str, Jobs]:
+) -> dict[str, Work]:
     """Do phase 1, then everything else; return what was done."""
     sources = {name: transfer.source_jobs(seeds) for name, transfer in transfers.items()}
     # Rows with the same source share its trials.
     first = {job.key: job for of_row in sources.values() for job in of_row}
     run_with_progress(list(first.values()), scheduler, store, 'transfer, phase 1')
-    jobs = {}
+    works = {}
     for name, transfer in transfers.items():
         weights = [unpack(store[job.key]['weights']) for job in sources[name]]
-        jobs[name] = Jobs(
-            source=sources[name],
-            transferred=transfer.target_jobs(seeds, weights),
-            scratch=transfer.scratch_jobs(seeds),
-        )
-    second = [job for of_row in jobs.values() for job in (*of_row.transferred, *of_row.scratch)]
+        transferred = transfer.target_jobs(seeds, weights)
+        works[name] = Work(transfer, sources[name], transferred, transfer.scratch_jobs(seeds))
+    second = [job for work in works.values() for job in (*work.transferred, *work.scratch)]
     run_with_progress(second, scheduler, store, 'transfer, phase 2')
-    return jobs
+    return works
 
 
-def _row(transfer: Transfer, jobs: Jobs, store: TrialStore) -> Row:
+def _row(work: Work, store: TrialStore) -> Row:
+    transfer = work.transfer
     return Row(
-        transferred=[target_trial(store[job.key], transfer) for job in jobs.transferred],
-        scratch=[target_trial(store[job.key], transfer) for job in jobs.scratch],
-        source_learned=[not flaws(store[job.key], transfer.source) for job in jobs.source],
+        transferred=[target_trial(store[job.key], transfer) for job in work.transferred],
+        scratch=[target_trial(store[job.key], transfer) for job in work.scratch],
+        source_learned=[not flaws(store[job.key], transfer.source) for job in work.source],
     )
 
 
 def _report(
-    transfers: Mapping[str, Transfer],
-    jobs: Mapping[str, Jobs],
+    works: Mapping[str, Work],
     rows: Mapping[str, Row],
     found: Mapping[str, Any],
     store: TrialStore,
 ) -> dict[str, Any]:
-    some = next(iter(transfers.values()))
-    brain = some.source.brain
+    some = next(iter(works.values()))
+    source, target = some.transfer.source, some.transfer.target
     return {
-        'source_scene': some.source.scene.task.name,
-        'target_scene': some.target.scene.task.name,
-        'segments': some.target.segments,
-        'seeds': [trial.seed for trial in next(iter(rows.values())).transferred],
-        'network': {'model': to_mapping(brain.model), 'planning': to_mapping(brain.planning)},
+        'source_scene': source.scene.task.name,
+        'target_scene': target.scene.task.name,
+        'segments': target.segments,
+        'seeds': [job.seed for job in some.source],
+        'network': {
+            'model': to_mapping(source.brain.model),
+            'planning': to_mapping(source.brain.planning),
+        },
         'rows': {
             name: {
-                'change': transfer.change,
-                'source_world': transfer.source.world,
-                'target_world': transfer.target.world,
-                'target_arm': to_mapping(transfer.target.arm),
+                'change': work.transfer.change,
+                'source_world': work.transfer.source.world,
+                'target_world': work.transfer.target.world,
+                'target_arm': to_mapping(work.transfer.target.arm),
                 **found[name],
             }
-            for name, transfer in transfers.items()
+            for name, work in works.items()
         },
         OVERALL: found[OVERALL],
         'trials': {
             name: {
-                'source': [_figures(job, store) for job in of_row.source],
-                'transferred': _judged(of_row.transferred, rows[name].transferred, store),
-                'scratch': _judged(of_row.scratch, rows[name].scratch, store),
+                'source': [_figures(job, store) for job in work.source],
+                'transferred': _judged(work.transferred, rows[name].transferred, store),
+                'scratch': _judged(work.scratch, rows[name].scratch, store),
             }
-            for name, of_row in jobs.items()
+            for name, work in works.items()
         },
     }
 
@@ -146,26 +148,20 @@ def _figures(job: Job, store: TrialStore) -> dict[str, Any]:
     return {key: value for key, value in store[job.key].items() if key != 'weights'}
 
 
-def _draw(
-    transfers: Mapping[str, Transfer],
-    jobs: Mapping[str, Jobs],
-    rows: Mapping[str, Row],
-    path: Path,
-) -> None:
+def _draw(works: Mapping[str, Work], rows: Mapping[str, Row], path: Path) -> None:
     """Draw the first trial that touched the new obstacle; it is done once more for that."""
     from srnn_bringup.plots.transfer_picture import TransferStory, draw
 
-    candidates = [
-        (name, job, trial)
-        for name, row in rows.items()
-        for job, trial in zip(jobs[name].transferred, row.transferred, strict=True)
-    ]
-    name, job, _ = next((c for c in candidates if c[2].new), candidates[0])
-    source, target = transfers[name].source.scene, transfers[name].target.scene
+    name, number = next(
+        ((name, n) for name, row in rows.items() for n, t in enumerate(row.transferred) if t.new),
+        (next(iter(rows)), 0),
+    )
+    transfer, job = works[name].transfer, works[name].transferred[number]
+    scene = transfer.target.scene
     story = TransferStory(
         title=f'{name}, seed {job.seed}',
-        scene=target,
-        new=new_obstacles(source, target),
+        scene=scene,
+        new=new_obstacles(transfer.source.scene, scene),
         records=outcome_of(job).records,
     )
     draw(story, path)
