@@ -22,7 +22,6 @@ from srnn_bringup.options import (
     new_file,
     whole,
 )
-from srnn_config.scene import load_scene
 from srnn_experiments.random_scenes_report import HELD_OUT
 from srnn_experiments.setting import AGENTS, WORLDS
 
@@ -47,9 +46,9 @@ def add_experiments(
     for name, text, add, run in (
         ('run', 'Do many trials of one setting on simulated time.', _add_run, _run),
         ('random', 'Random solvable scenes, one trial each.', _add_random, _random),
-        ('table1', "The paper's Table 1, beside the paper's own numbers.", _add_table, _table1),
         ('transfer', 'Learn in one world, go on in another with a new obstacle.',
          _add_transfer, _transfer),
+        ('table1', "The paper's Table 1, beside the paper's own numbers.", _add_table, _table1),
     ):
         parser = table.add_parser(name, help=text, description=text, allow_abbrev=False)
         add(parser)
@@ -123,13 +122,6 @@ def _add_random(parser: argparse.ArgumentParser) -> None:
     _add_out(parser)
 
 
-def _add_table(parser: argparse.ArgumentParser) -> None:
-    _add_common(parser, TRIALS)
-    _add_world(parser)
-    add_network(parser, PAPER)
-    _add_out(parser)
-
-
 def _add_transfer(parser: argparse.ArgumentParser) -> None:
     _add_common(parser, TRIALS)
     parser.add_argument(
@@ -138,6 +130,13 @@ def _add_transfer(parser: argparse.ArgumentParser) -> None:
         '(default: %(default)s)',
     )
     add_network(parser)
+    _add_out(parser)
+
+
+def _add_table(parser: argparse.ArgumentParser) -> None:
+    _add_common(parser, TRIALS)
+    _add_world(parser)
+    add_network(parser, PAPER)
     _add_out(parser)
 
 
@@ -182,19 +181,10 @@ def _random(options: argparse.Namespace) -> int:
     return run_random_scenes(base, seeds, scheduler, options.out, print)
 
 
-def _table1(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiment import base_setting, make_scheduler
-    from srnn_bringup.table1 import run_table1
-
-    base = base_setting(_configuration(options), options.segments, options.world)
-    seeds = range(options.seed, options.seed + options.trials)
-    scheduler = make_scheduler(options.workers, options.scheduler)
-    return run_table1(base, seeds, scheduler, options.out, print)
-
-
 def _transfer(options: argparse.Namespace) -> int:
     from srnn_bringup.experiment import base_setting, make_scheduler
     from srnn_bringup.transfer import run_transfer
+    from srnn_config.scene import load_scene
     from srnn_experiments.transfer import transfers
 
     target = load_scene(find_scene(options.target, config_directory()))
@@ -203,3 +193,13 @@ def _transfer(options: argparse.Namespace) -> int:
     seeds = range(options.seed, options.seed + options.trials)
     scheduler = make_scheduler(options.workers, options.scheduler)
     return run_transfer(rows, seeds, scheduler, options.out, print)
+
+
+def _table1(options: argparse.Namespace) -> int:
+    from srnn_bringup.experiment import base_setting, make_scheduler
+    from srnn_bringup.table1 import run_table1
+
+    base = base_setting(_configuration(options), options.segments, options.world)
+    seeds = range(options.seed, options.seed + options.trials)
+    scheduler = make_scheduler(options.workers, options.scheduler)
+    return run_table1(base, seeds, scheduler, options.out, print)

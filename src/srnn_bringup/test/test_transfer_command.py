@@ -13,7 +13,8 @@ from test_picture import png_size
 from srnn_bringup import cli
 from srnn_bringup.config import Choices, load
 from srnn_bringup.experiment import base_setting
-from srnn_bringup.picture import DPI, SIZE
+from srnn_bringup.picture import SIZE
+from srnn_bringup.plots.style import DPI
 from srnn_bringup.plots.transfer_picture import TransferStory, draw
 from srnn_bringup.transfer import run_transfer
 from srnn_experiments import schedulers

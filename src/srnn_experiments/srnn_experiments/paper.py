@@ -5,6 +5,10 @@ from dataclasses import dataclass
 
 MeanSd = tuple[float, float]
 
+TRANSFER_CONTACTS, TRANSFER_FIRST_TOUCH = 7, 15
+"""One trial of the transfer to the real arm: contacts with the new obstacle until it was
+learned, and the segment of the first. The obstacle known from simulation was not touched."""
+
 
 @dataclass(frozen=True)
 class PaperRow:
@@ -40,7 +44,3 @@ TABLE_1 = {
     'local': PaperRow((8.6, 2.8), (52.6, 7.5), (235.0, 42.0), (1.11, 0.679), (13.7, 1.4)),
 }
 """By the names of our rows; the paper has none without learning, and none without trigger."""
-
-TRANSFER_CONTACTS, TRANSFER_FIRST_TOUCH = 7, 15
-"""One trial of the transfer to the real arm: contacts with the new obstacle until it was
-learned, and the segment of the first. The obstacle known from simulation was not touched."""

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of experiments."""
+"""How things are drawn; every picture shows plain numbers that were computed elsewhere."""

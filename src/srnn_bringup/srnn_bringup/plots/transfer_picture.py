@@ -5,28 +5,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 import numpy as np
 
-from srnn_bringup.picture import (
-    AFTER,
-    BEFORE,
-    CAPTION,
-    DPI,
-    INK,
-    OBSTACLE,
-    SIZE,
-    STYLE,
-    TOUCH,
-    draw_obstacles,
-    draw_signal,
-    draw_waypoints,
-    frame,
-)
+from srnn_bringup.picture import CAPTION, SIZE, draw_signal
+from srnn_bringup.plots.plane import draw_obstacles, draw_waypoints, reach, show_square
+from srnn_bringup.plots.style import AFTER, BEFORE, DPI, INK, OBSTACLE, TOUCH, styled
+from srnn_config.geometry import outline
 from srnn_config.scene import Obstacle, Scene
 from srnn_experiments.segment_record import SegmentRecord
 
@@ -65,7 +53,7 @@ class TransferStory:
 def draw(story: TransferStory, path: Path) -> None:
     """Draw the picture of a trial into a file; its suffix selects the format."""
     last, end = story.touched_until, len(story.records)
-    with rc_context(STYLE):
+    with styled():
         figure = Figure(figsize=SIZE, dpi=DPI)
         left, right = figure.add_axes(LEFT), figure.add_axes(RIGHT)
         _draw_map(left, story, story.records[:last], BEFORE)
@@ -95,10 +83,13 @@ def _draw_map(
     touches = [record.executed.positions[-1, :2] for record in records if record.touched]
     if touches:
         axes.plot(*np.array(touches).T, 'x', ms=9, mew=2.4, color=TOUCH, zorder=5)
-    draw_obstacles(axes, story.scene.obstacles, OBSTACLE)
-    draw_obstacles(axes, story.new, NEW)
-    draw_waypoints(axes, story.scene)
-    frame(axes, story.scene, story.records)
+    scene = story.scene
+    outlines = [outline(obstacle) for obstacle in scene.obstacles]
+    draw_obstacles(axes, outlines, OBSTACLE)
+    draw_obstacles(axes, map(outline, story.new), NEW)
+    draw_waypoints(axes, scene.waypoints, scene.task.reach_radius)
+    everywhere = [record.executed.positions[:, :2] for record in story.records]
+    show_square(axes, [*reach(scene.waypoints, scene.task.reach_radius), *outlines, *everywhere])
 
 
 def _legend(touches: int) -> list[Line2D | Patch]:
