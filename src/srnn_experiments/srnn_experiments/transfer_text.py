@@ -102,7 +102,7 @@ def _head(transfer: Transfer, seeds: Sequence[int]) -> list[str]:
 def _transferred(table: Mapping[str, Mapping[str, Any]]) -> list[str]:
     lines = [
         f'| row | learned with at most {TRANSFER_CONTACTS} contacts | contacts with the new '
-        'obstacle | contacts with the first obstacle, all trials | trials without any '
+        'obstacle | contacts with the first obstacle, all trials | trials without one '
         '| first touch of the new obstacle, segment | updates | laps |',
         '|---' * 8 + '|',
     ]
