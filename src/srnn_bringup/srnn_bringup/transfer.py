@@ -12,7 +12,7 @@ from srnn_config import to_mapping
 from srnn_experiments.campaign import Job, Scheduler, outcome_of
 from srnn_experiments.store import TrialStore, unpack
 from srnn_experiments.transfer import Transfer, new_obstacles
-from srnn_experiments.transfer_report import OVERALL, Row, table
+from srnn_experiments.transfer_report import Row, table
 from srnn_experiments.transfer_text import as_csv, as_markdown
 from srnn_experiments.transfer_trial import TargetTrial, flaws, target_trial
 
@@ -123,7 +123,7 @@ def _report(
             }
             for name, work in works.items()
         },
-        OVERALL: found[OVERALL],
+        'together': {name: found[name] for name in found if name not in works},
         'trials': {
             name: {
                 'source': [_figures(job, store) for job in work.source],

@@ -10,8 +10,8 @@ from srnn_experiments.estimates import share_estimate
 from srnn_experiments.intervals import describe
 from srnn_experiments.transfer_trial import TargetTrial
 
-OVERALL = 'all'
-"""Row of the trials of all rows."""
+OVERALL, SOUND = 'all', 'all, if phase 1 learned'
+"""Rows of the trials of all rows, and of those that start from weights that were learned well."""
 
 SHARE_TARGET, MEDIAN_TARGET = 0.9, 3
 """Least share of trials that learn with few contacts, and greatest median of contacts."""
@@ -34,13 +34,15 @@ class Row:
 
 
 def table(rows: Mapping[str, Row]) -> dict[str, dict[str, Any]]:
-    """Return the statistics of every row and, last, those of all trials together."""
-    together = Row(
-        transferred=[trial for row in rows.values() for trial in row.transferred],
-        scratch=[trial for row in rows.values() for trial in row.scratch],
-        source_learned=[learned for row in rows.values() for learned in row.source_learned],
-    )
-    return {name: statistics(row) for name, row in {**rows, OVERALL: together}.items()}
+    """Return the statistics of every row and, last, `OVERALL` and, if there are any, `SOUND`."""
+    trials = [
+        trial
+        for row in rows.values()
+        for trial in zip(row.transferred, row.scratch, row.source_learned, strict=True)
+    ]
+    groups = {OVERALL: trials, SOUND: [trial for trial in trials if trial[2]]}
+    together = {name: Row(*zip(*group, strict=True)) for name, group in groups.items() if group}
+    return {name: statistics(row) for name, row in {**rows, **together}.items()}
 
 
 def statistics(row: Row) -> dict[str, Any]:

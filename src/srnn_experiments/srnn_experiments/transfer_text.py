@@ -10,7 +10,7 @@ from srnn_experiments.estimates import mean_text, share_text
 from srnn_experiments.figures import LATE
 from srnn_experiments.paper import TRANSFER_CONTACTS, TRANSFER_FIRST_TOUCH
 from srnn_experiments.transfer import Transfer
-from srnn_experiments.transfer_report import MEDIAN_TARGET, OVERALL, SHARE_TARGET, Row
+from srnn_experiments.transfer_report import MEDIAN_TARGET, OVERALL, SHARE_TARGET, SOUND, Row
 from srnn_experiments.transfer_trial import SLACK, TargetTrial
 
 _PAPER = (
@@ -180,8 +180,9 @@ def _definitions() -> list[str]:
         '(Wilson). Others: mean ± sd [95 % interval of the mean].',
         '* Spared: contacts of a trial from scratch less those of the transferred trial of the '
         'same seed.',
-        f'* Row `{OVERALL}`: rows share seeds, and rows with the same source share phase 1, so '
-        'that its intervals are somewhat too narrow.',
+        f'* Rows `{OVERALL}` and `{SOUND}`: rows share seeds, and rows with the same source '
+        'share phase 1, so that these intervals are somewhat too narrow. The second leaves out '
+        'what starts from weights with which phase 1 had not learned its own scene.',
     ]
 
 

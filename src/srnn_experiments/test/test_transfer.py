@@ -15,7 +15,7 @@ from srnn_experiments.campaign import outcome_of
 from srnn_experiments.errors import ExperimentError, SceneError
 from srnn_experiments.setting import Setting
 from srnn_experiments.transfer import Transfer, new_obstacles, transfers
-from srnn_experiments.transfer_report import Row, statistics, table
+from srnn_experiments.transfer_report import OVERALL, SOUND, Row, statistics, table
 from srnn_experiments.transfer_text import as_csv, as_markdown
 from srnn_experiments.transfer_trial import TargetTrial, target_trial
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
@@ -172,7 +172,18 @@ def test_nine_of_ten_trials_must_learn_with_few_contacts(failed, met):
     trials = [trial(seed, flaws=('halted',) * (seed < failed)) for seed in range(10)]
     row = Row(trials, trials, [True] * 10)
     assert statistics(row)['targets']['few'] is met
-    assert table({'a': row, 'b': row})['all']['few']['share'] == 1 - failed / 10
+    assert table({'a': row, 'b': row})[OVERALL]['few']['share'] == 1 - failed / 10
+
+
+def test_trials_are_counted_together_and_without_those_that_learned_nothing_before():
+    trials = [trial(seed, new=[9] * seed) for seed in range(4)]
+    some, none = [True, True, False, False], [False] * 4
+    rows = {'a': Row(trials, trials, some), 'b': Row(trials, trials, none)}
+    found = table(rows)
+    assert list(found) == ['a', 'b', OVERALL, SOUND]
+    assert (found[OVERALL]['trials'], found[OVERALL]['new']['total']) == (8, 12)
+    assert (found[SOUND]['trials'], found[SOUND]['new']['total']) == (2, 1)
+    assert SOUND not in table({'b': rows['b']})
 
 
 def test_the_report_lists_failures_by_seed_and_the_paper():
