@@ -65,6 +65,10 @@ class CommandParameters(Parameters):
         doc='The step allowed at top speed grows with the time since the last command, '
         'but no longer than this.',
     )
+    delay: float = parameter(
+        0.0, unit='s', minimum=0.0, maximum=0.05,
+        doc='Time on the way from the bridge to the filter, in whole ticks of 1 ms.',
+    )
 
     def check(self) -> None:
         """Refuse a silence shorter than one period."""

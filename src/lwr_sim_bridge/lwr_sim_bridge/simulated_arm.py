@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lwr_description import DOF, Kinematics, Mount
+from lwr_sim_bridge.command_delay import CommandDelay
 from lwr_sim_bridge.command_gate import CommandGate, Refusal
 from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
 from lwr_sim_bridge.errors import SimulationError
@@ -57,6 +58,7 @@ class SimulatedArm:
         self._scene.place(start)
         self._q, self._v = self.data.qpos, self.data.qvel
         self._gate = CommandGate(parameters.command, start)
+        self._delay = CommandDelay(round(parameters.command.delay / TICK))
         self._interpolator = Interpolator(start, parameters.command.time_constant, TICK)
         self._impedance = JointImpedance(parameters.impedance)
         self._sensors = Sensors(scene.noise, parameters.noise, rng)
@@ -116,13 +118,15 @@ class SimulatedArm:
     def command(self, q: ArrayLike) -> Refusal | None:
         """Head for the joint angles `q` (7,) [rad].
 
+        It gets there `ArmParameters.command.delay` later.
+
         Returns:
             None when accepted, else why not; the arm then keeps to the last good command.
 
         """
         refusal = self._gate.offer(q, self.time)
         if refusal is None:
-            self._interpolator.command(self._gate.last)
+            self._delay.give(self._gate.last)
         return refusal
 
     def step(self) -> None:
@@ -133,6 +137,9 @@ class SimulatedArm:
 
         """
         desired = self._interpolator
+        arrived = self._delay.due()
+        if arrived is not None:
+            desired.command(arrived)
         desired.step()
         gravity = self._kinematics.gravity(self._q)
         self._torque = self._impedance.torque(

@@ -5,7 +5,14 @@ import argparse
 from collections.abc import Callable
 
 from srnn_bringup.command_line import Parser
-from srnn_bringup.config import SEED_MAX, Choices, Configuration, load
+from srnn_bringup.config import (
+    SEED_MAX,
+    Choices,
+    Configuration,
+    config_directory,
+    find_scene,
+    load,
+)
 from srnn_bringup.options import (
     add_learning,
     add_network,
@@ -24,6 +31,8 @@ SEGMENTS, TRIALS = 300, 10
 
 SCENES = 100
 
+TARGET_SCENE = 'transfer'
+
 SEGMENTS_MAX, TRIALS_MAX, WORKERS_MAX = 100_000, 100_000, 1024
 
 Run = Callable[[argparse.Namespace], int]
@@ -37,6 +46,8 @@ def add_experiments(
     for name, text, add, run in (
         ('run', 'Do many trials of one setting on simulated time.', _add_run, _run),
         ('random', 'Random solvable scenes, one trial each.', _add_random, _random),
+        ('transfer', 'Learn in one world, go on in another with a new obstacle.',
+         _add_transfer, _transfer),
         ('table1', "The paper's Table 1, beside the paper's own numbers.", _add_table, _table1),
     ):
         parser = table.add_parser(name, help=text, description=text, allow_abbrev=False)
@@ -57,14 +68,10 @@ def _add_common(parser: argparse.ArgumentParser, trials: int) -> None:
 
 
 def _add_execution(parser: argparse.ArgumentParser) -> None:
-    """Add how long trials are, in which world, and where they are done."""
+    """Add how long trials are, and where they are done."""
     parser.add_argument(
         '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
         help='length of a trial (default: %(default)s)',
-    )
-    parser.add_argument(
-        '--world', choices=WORLDS, default='mujoco',
-        help='the simulated arm, or a point that stops at obstacles (default: %(default)s)',
     )
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
@@ -76,8 +83,16 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _add_world(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        '--world', choices=WORLDS, default='mujoco',
+        help='the simulated arm, or a point that stops at obstacles (default: %(default)s)',
+    )
+
+
 def _add_run(parser: argparse.ArgumentParser) -> None:
     _add_common(parser, trials=1)
+    _add_world(parser)
     add_network(parser)
     parser.add_argument(
         '--agent', choices=AGENTS, default='network',
@@ -102,12 +117,25 @@ def _add_random(parser: argparse.ArgumentParser) -> None:
         help='number of scenes (default: %(default)s)',
     )
     _add_execution(parser)
+    _add_world(parser)
+    add_network(parser)
+    _add_out(parser)
+
+
+def _add_transfer(parser: argparse.ArgumentParser) -> None:
+    _add_common(parser, TRIALS)
+    parser.add_argument(
+        '--target', default=TARGET_SCENE, metavar='SCENE',
+        help='scene of phase 2: all obstacles of that of phase 1 (--scene), and new ones '
+        '(default: %(default)s)',
+    )
     add_network(parser)
     _add_out(parser)
 
 
 def _add_table(parser: argparse.ArgumentParser) -> None:
     _add_common(parser, TRIALS)
+    _add_world(parser)
     add_network(parser, PAPER)
     _add_out(parser)
 
@@ -151,6 +179,20 @@ def _random(options: argparse.Namespace) -> int:
     seeds = range(options.first, options.first + options.scenes)
     scheduler = make_scheduler(options.workers, options.scheduler)
     return run_random_scenes(base, seeds, scheduler, options.out, print)
+
+
+def _transfer(options: argparse.Namespace) -> int:
+    from srnn_bringup.experiment import base_setting, make_scheduler
+    from srnn_bringup.transfer import run_transfer
+    from srnn_config.scene import load_scene
+    from srnn_experiments.transfer import transfers
+
+    target = load_scene(find_scene(options.target, config_directory()))
+    base = base_setting(_configuration(options), options.segments, 'mujoco')
+    rows = transfers(base, target)
+    seeds = range(options.seed, options.seed + options.trials)
+    scheduler = make_scheduler(options.workers, options.scheduler)
+    return run_transfer(rows, seeds, scheduler, options.out, print)
 
 
 def _table1(options: argparse.Namespace) -> int:

@@ -3,15 +3,14 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-import json
 from pathlib import Path
 
 from srnn_bringup.experiment import run_with_progress
+from srnn_bringup.result_files import open_store, write_results
 from srnn_experiments.campaign import Job, Scheduler
 from srnn_experiments.random_scene import random_scene
 from srnn_experiments.random_scenes_report import as_markdown, report
 from srnn_experiments.setting import Setting
-from srnn_experiments.store import TrialStore
 
 
 def run_random_scenes(
@@ -31,23 +30,21 @@ def run_random_scenes(
         OSError: a file cannot be written.
 
     """
-    directory.mkdir(parents=True, exist_ok=True)
     scenes = [replace(base, scene=random_scene(seed)) for seed in seeds]
     network = [Job(setting, seed) for setting, seed in zip(scenes, seeds, strict=True)]
     oracle = [
         Job(replace(setting.with_signal('none'), agent='oracle'), seed)
         for setting, seed in zip(scenes, seeds, strict=True)
     ]
-    store = TrialStore(directory / 'trials.jsonl')
+    store = open_store(directory)
     done = run_with_progress([*network, *oracle], scheduler, store, 'random scenes')
     found = report(done[: len(seeds)], done[len(seeds) :])
-    (directory / 'random.json').write_text(json.dumps(found, indent=2, allow_nan=False) + '\n')
     title = (
         f'{len(seeds)} random scenes, seeds {seeds[0]} to {seeds[-1]}, '
         f'{base.segments} segments each, world {base.world}'
     )
     text = as_markdown(found, title)
-    (directory / 'random.md').write_text(text)
+    write_results(directory, 'random', found, text)
     say(text.split('\n| seed')[0])
     say(f'report: {directory / "random.md"}, random.json')
     return 0

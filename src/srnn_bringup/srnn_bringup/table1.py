@@ -3,16 +3,15 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
-import json
 from pathlib import Path
 from typing import Any
 
 from srnn_bringup.experiment import run_with_progress
+from srnn_bringup.result_files import open_store, write_results
 from srnn_experiments import table1
 from srnn_experiments.campaign import Scheduler, rows
 from srnn_experiments.paper import TABLE_1
 from srnn_experiments.setting import Setting
-from srnn_experiments.store import TrialStore
 
 
 def run_table1(
@@ -31,10 +30,9 @@ def run_table1(
         OSError: a file cannot be written.
 
     """
-    directory.mkdir(parents=True, exist_ok=True)
     settings = table1.settings(base)
     jobs = rows(settings, seeds)
-    store = TrialStore(directory / 'trials.jsonl')
+    store = open_store(directory)
     run_with_progress(jobs, scheduler, store, 'table1')
     trials = {
         name: [store[setting.digest(), seed] for seed in seeds]
@@ -42,10 +40,8 @@ def run_table1(
     }
     table = {name: table1.row(done) for name, done in trials.items()}
     report = _report(base, seeds, table, trials)
-    (directory / 'table1.json').write_text(json.dumps(report, indent=2, allow_nan=False) + '\n')
-    (directory / 'table1.csv').write_text(table1.as_csv(table))
     text = _text(base, seeds, table, trials)
-    (directory / 'table1.md').write_text(text)
+    write_results(directory, 'table1', report, text, table1.as_csv(table))
     say(text)
     say(f'table: {directory / "table1.md"}, table1.csv, table1.json')
     return 0

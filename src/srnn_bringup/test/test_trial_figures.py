@@ -44,6 +44,9 @@ def test_counts_of_a_known_run(played):
     assert trial['segments_executed'] == 6
     assert trial['contacts'] == 2
     assert trial['contact_segments'] == [2, 3]
+    assert np.array(trial['contact_points_m']) == pytest.approx(
+        np.array([(0.015, -0.04), (0.0375, -0.06)])
+    )
     assert trial['contacts_last_100'] == 2
     assert trial['contacts_last_third'] == 0
     assert trial['updates_triggered'] == 1

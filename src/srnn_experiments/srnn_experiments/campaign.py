@@ -9,7 +9,7 @@ from threadpoolctl import threadpool_limits
 
 from srnn_experiments.setting import Setting
 from srnn_experiments.store import Key, TrialStore, pack
-from srnn_experiments.trial import run_trial
+from srnn_experiments.trial import Outcome, run_trial
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,11 +40,16 @@ class Scheduler(Protocol):
         """Yield index and result of every job, in the order in which they end."""
 
 
-def do(job: Job) -> dict[str, Any]:
-    """Do one trial; this is what a worker runs."""
+def outcome_of(job: Job) -> Outcome:
+    """Do one trial; its decisions are the same wherever it is done."""
     # Sums of a matrix product depend on the number of threads, decisions must not.
     with threadpool_limits(1):
-        outcome = run_trial(job.setting, job.seed)
+        return run_trial(job.setting, job.seed)
+
+
+def do(job: Job) -> dict[str, Any]:
+    """Return the figures of one trial; this is what a worker runs."""
+    outcome = outcome_of(job)
     trial = outcome.figures
     if job.keep_weights and outcome.weights is not None:
         trial['weights'] = pack(outcome.weights)

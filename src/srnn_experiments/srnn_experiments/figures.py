@@ -20,14 +20,16 @@ def run_figures(records: Sequence[SegmentRecord], blocked: int) -> dict[str, Any
     ``path_length_m`` is the length of everything the tip did, ``segments_to_blocked``
     the number of segments for each visit of the way point behind the obstacle,
     ``still_reached`` tells whether every way point was reached in the last 100
-    segments, and segments are numbered from 1.
+    segments, ``contact_points_m`` are where the tip was measured at the contacts, and
+    segments are numbered from 1.
 
     Args:
         records: segments of the run, in order.
         blocked: index of the way point behind the obstacle.
 
     """
-    touches = [record.number for record in records if record.touched]
+    touched = [record for record in records if record.touched]
+    touches = [record.number for record in touched]
     return {
         'segments_executed': len(records),
         'updates_triggered': sum(record.updated for record in records),
@@ -35,6 +37,7 @@ def run_figures(records: Sequence[SegmentRecord], blocked: int) -> dict[str, Any
         'contacts_last_100': _after(touches, len(records) - LATE),
         'contacts_last_third': _after(touches, len(records) - len(records) // 3),
         'contact_segments': touches,
+        'contact_points_m': [record.executed.positions[-1, :2].tolist() for record in touched],
         'laps': records[-1].after.laps if records else 0,
         'waypoints_reached': records[-1].after.reached if records else 0,
         'segments_to_blocked': visits(records, blocked),

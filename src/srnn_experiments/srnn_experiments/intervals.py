@@ -35,6 +35,14 @@ def paired_interval(a: Sequence[float], b: Sequence[float]) -> tuple[float, floa
     return mean_interval([x - y for x, y in zip(a, b, strict=True)])
 
 
+def describe(values: Sequence[float]) -> dict[str, float]:
+    """Return mean, standard deviation of the sample, and the 95 % interval of the mean."""
+    mean = sum(values) / len(values)
+    sd = (sum((v - mean) ** 2 for v in values) / max(len(values) - 1, 1)) ** 0.5
+    low, high = mean_interval(values)
+    return {'mean': mean, 'sd': sd, 'low': low, 'high': high}
+
+
 def share_interval(successes: int, count: int) -> tuple[float, float]:
     """Return the 95 % Wilson interval of a share of `successes` out of `count`."""
     if count == 0:

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the paper reports: Table 1 of Tanneberg, Peters and Rueckert (Neural Networks 2019)."""
+"""What the paper reports (Tanneberg, Peters and Rueckert, Neural Networks 2019)."""
 
 from dataclasses import dataclass
 
 MeanSd = tuple[float, float]
+
+TRANSFER_CONTACTS, TRANSFER_FIRST_TOUCH = 7, 15
+"""One trial of the transfer to the real arm: contacts with the new obstacle until it was
+learned, and the segment of the first. The obstacle known from simulation was not touched."""
 
 
 @dataclass(frozen=True)

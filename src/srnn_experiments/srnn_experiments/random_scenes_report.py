@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from statistics import median
 from typing import Any
 
-from srnn_experiments.intervals import share_interval
+from srnn_experiments.estimates import share_estimate, share_text
 
 HELD_OUT = 100_000
 """Seeds of scenes from here on were never used to choose a parameter."""
@@ -33,10 +33,9 @@ def report(
     """
     scenes = [_scene(t, o) for t, o in zip(trials, oracle, strict=True)]
     count = sum(scene['learned'] for scene in scenes)
-    low, high = share_interval(count, len(scenes))
     efficiencies = [s['efficiency'] for s in scenes if s['efficiency'] is not None]
     return {
-        'learned': {'share': count / len(scenes), 'low': low, 'high': high},
+        'learned': share_estimate(count, len(scenes)),
         'contacts_median': median(scene['contacts'] for scene in scenes),
         'efficiency_median': median(efficiencies) if efficiencies else None,
         'invalid_plans': sum(trial['invalid_plans'] for trial in trials),
@@ -47,13 +46,12 @@ def report(
 
 def as_markdown(found: Mapping[str, Any], title: str) -> str:
     """Return a report as text, failures first."""
-    share = found['learned']
     efficiency = found['efficiency_median']
     lines = [
         f'# {title}',
         '',
         f'Learned (no contact in the last 100 segments, every way point still reached): '
-        f'{share["share"]:.0%} [{share["low"]:.0%}, {share["high"]:.0%}]; median contacts '
+        f'{share_text(found["learned"])}; median contacts '
         f'{found["contacts_median"]:g}; median efficiency '
         f'{"–" if efficiency is None else format(efficiency, ".2f")} (laps over laps of the '
         f'oracle); invalid plans {found["invalid_plans"]}.',
