@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """How sure one can be: intervals that hold the true value in 95 of 100 cases."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 RESAMPLES = 10_000
 SEED = 20190101
@@ -33,6 +34,40 @@ def paired_interval(a: Sequence[float], b: Sequence[float]) -> tuple[float, floa
     if len(a) != len(b):
         raise ValueError(f'{len(a)} and {len(b)} values cannot be paired')
     return mean_interval([x - y for x, y in zip(a, b, strict=True)])
+
+
+def describe(values: Sequence[float]) -> dict[str, float]:
+    """Return mean, standard deviation of the sample, and the 95 % interval of the mean."""
+    mean = sum(values) / len(values)
+    sd = (sum((v - mean) ** 2 for v in values) / max(len(values) - 1, 1)) ** 0.5
+    low, high = mean_interval(values)
+    return {'mean': mean, 'sd': sd, 'low': low, 'high': high}
+
+
+def trial_interval(
+    trials: int, statistic: Callable[[NDArray[np.float64]], float], resamples: int = 1000
+) -> tuple[float, float]:
+    """Return the 95 % bootstrap interval of a statistic over values that share trials.
+
+    Whole trials are resampled, because what happens within one is not independent.
+
+    Args:
+        trials: how many there are.
+        statistic: takes how often each trial counts (trials,) and returns the statistic.
+        resamples: how often to resample.
+
+    """
+    weights = trial_weights(trials, resamples)
+    values = [statistic(weight) for weight in weights]
+    low, high = np.percentile(values, [2.5, 97.5], method='inverted_cdf')
+    return float(low), float(high)
+
+
+def trial_weights(trials: int, resamples: int) -> NDArray[np.float64]:
+    """Return how often each trial counts in every resample, (resamples, trials)."""
+    shares = np.full(trials, 1.0 / trials)
+    rng = np.random.default_rng(SEED)
+    return rng.multinomial(trials, shares, size=resamples).astype(np.float64)
 
 
 def share_interval(successes: int, count: int) -> tuple[float, float]:

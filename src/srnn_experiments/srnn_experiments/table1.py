@@ -7,7 +7,7 @@ from dataclasses import asdict, replace
 import io
 from typing import Any
 
-from srnn_experiments.intervals import mean_interval, paired_interval, share_interval
+from srnn_experiments.intervals import describe, paired_interval, share_interval
 from srnn_experiments.paper import TABLE_1
 from srnn_experiments.setting import Setting
 
@@ -90,7 +90,7 @@ def row(trials: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     result: dict[str, Any] = {'trials': len(trials)}
     for name in COLUMNS:
         values = [value for t in trials if (value := figure(t, name)) is not None]
-        result[name] = _statistics(values) if values else None
+        result[name] = describe(values) if values else None
     count = sum(map(learned, trials))
     low, high = share_interval(count, len(trials))
     result['learned'] = {'share': count / len(trials), 'low': low, 'high': high}
@@ -146,14 +146,6 @@ def _cell(name: str, column: str, values: Mapping[str, float] | None) -> str:
         mean, sd = asdict(TABLE_1[name])[_OF_PAPER[column]]
         text += f' (paper {mean:g} ± {sd:g})'
     return text
-
-
-def _statistics(values: Sequence[float]) -> dict[str, float]:
-    mean = sum(values) / len(values)
-    # The paper gives the deviation of a sample.
-    sd = (sum((v - mean) ** 2 for v in values) / max(len(values) - 1, 1)) ** 0.5
-    low, high = mean_interval(values)
-    return {'mean': mean, 'sd': sd, 'low': low, 'high': high}
 
 
 def _optional(value: Any) -> float | None:
