@@ -4,20 +4,24 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
-from matplotlib.patches import Circle, Polygon
-from matplotlib.ticker import MultipleLocator
 import numpy as np
 from numpy.typing import NDArray
 
 from srnn_bringup.config import Configuration
+from srnn_bringup.plots.plane import (
+    draw_change,
+    draw_obstacles,
+    draw_waypoints,
+    reach,
+    show_square,
+)
+from srnn_bringup.plots.style import AFTER, BEFORE, DPI, OBSTACLE, TOUCH, styled
 from srnn_config.geometry import outline
-from srnn_config.scene import EDGE, Scene
+from srnn_config.scene import Scene
 from srnn_experiments.segment_record import SegmentRecord
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synaptic_change import input_change, output_change
@@ -33,19 +37,6 @@ LEFT, RIGHT, BAR, STRIP = (
 
 CAPTION = 0.278
 """Height of the line under the two maps, as a share of the figure."""
-
-DPI = 150
-
-BEFORE, AFTER, TOUCH, INK = '#e08e45', '#1f6f8b', '#c1121f', '#2b2d42'
-OBSTACLE, REACH, NEURON = '#8d99ae', '#adb5bd', '#6c757d'
-NEURON_AREA = 130.0
-"""Area of the neuron whose output changed most [square points]."""
-
-_STYLE: Any = {
-    'axes.edgecolor': REACH, 'axes.labelcolor': INK, 'axes.titlesize': 14,
-    'axes.labelsize': 12, 'font.size': 12, 'text.color': INK,
-    'xtick.color': INK, 'ytick.color': INK, 'xtick.labelsize': 11, 'ytick.labelsize': 11,
-}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +69,7 @@ class Story:
 
 def draw(story: Story, path: Path) -> None:
     """Draw the picture of a run into a file; its suffix selects the format."""
-    with rc_context(_STYLE):
+    with styled():
         figure = Figure(figsize=SIZE, dpi=DPI)
         left, right = figure.add_axes(LEFT), figure.add_axes(RIGHT)
         _draw_paths(left, story)
@@ -115,48 +106,25 @@ def _draw_paths(axes: Axes, story: Story) -> None:
             *np.array(touches).T, 'x', ms=9, mew=2.4, color=TOUCH, zorder=5,
             label=f'touches ({len(touches)})',
         )  # fmt: skip
-    _draw_obstacles(axes, story.scene, OBSTACLE)
-    _draw_waypoints(axes, story.scene)
+    draw_obstacles(axes, map(outline, story.scene.obstacles), OBSTACLE)
+    draw_waypoints(axes, story.scene.waypoints, story.scene.task.reach_radius)
     axes.set_title('The way round, learned by touch' if last else 'Path of the tip')
     _frame(axes, story)
 
 
-def _draw_waypoints(axes: Axes, scene: Scene) -> None:
-    for number, point in enumerate(scene.waypoints, start=1):
-        radius = scene.task.reach_radius
-        axes.add_patch(Circle(point, radius, fill=False, ec=REACH, lw=1.2, ls=(0, (4, 3))))
-        axes.plot(*point, 'o', ms=17, mfc='white', mec=INK, mew=1.5, zorder=6)
-        axes.annotate(
-            str(number), point, ha='center', va='center_baseline', fontsize=11, zorder=7
-        )
-
-
 def _draw_change(axes: Axes, story: Story) -> AxesImage:
-    network = story.configuration.network.model.network
-    extent = story.configuration.network.model.workspace.half_extent
-    side = network.neurons_per_dimension
-    received = input_change(story.weights_after, story.weights_before)
-    sent = np.abs(output_change(story.weights_after, story.weights_before))
-    limit = float(np.abs(received).max()) or 1.0
-    edge = extent * side / (side - 1)
-    image = axes.imshow(
-        received.reshape(side, side).T, origin='lower', extent=(-edge, edge, -edge, edge),
-        cmap='RdBu_r', vmin=-limit, vmax=limit, interpolation='hermite',
-    )  # fmt: skip
-    area = 4.0 + NEURON_AREA * sent / (float(sent.max()) or 1.0)
-    neurons = extent * StateNeurons(network).positions
-    x, y = neurons.T
-    axes.scatter(x, y, s=area, color='white', ec=NEURON, lw=0.8, alpha=0.9, zorder=4)
-    _draw_obstacles(axes, story.scene, 'none')
+    model = story.configuration.network.model
+    image = draw_change(
+        axes,
+        model.workspace.to_metres(StateNeurons(model.network).positions),
+        input_change(story.weights_after, story.weights_before),
+        output_change(story.weights_after, story.weights_before),
+    )
+    draw_obstacles(axes, map(outline, story.scene.obstacles), 'none')
     axes.set_title('What has changed in the network')
     _frame(axes, story)
     axes.tick_params(labelleft=False)
     return image
-
-
-def _draw_obstacles(axes: Axes, scene: Scene, colour: str) -> None:
-    for obstacle in scene.obstacles:
-        axes.add_patch(Polygon(outline(obstacle), fc=colour, ec=INK, lw=1.8, zorder=4.5))
 
 
 def _draw_signal(axes: Axes, story: Story) -> None:
@@ -174,19 +142,12 @@ def _draw_signal(axes: Axes, story: Story) -> None:
 
 
 def _frame(axes: Axes, story: Story) -> None:
-    """Show the part of the plane where something happens, as a square."""
     scene = story.scene
-    radius = scene.task.reach_radius
-    points = np.array(scene.waypoints)
-    parts = [points - radius, points + radius, *(outline(o) for o in scene.obstacles)]
-    parts += [record.executed.positions[:, :2] for record in story.records]
-    seen = np.concatenate(parts)
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    half = min(float((high - low).max()) / 2.0 + 0.015, 1.05 * EDGE)
-    centre = np.clip((low + high) / 2.0, half - 1.05 * EDGE, 1.05 * EDGE - half)
-    axes.set_xlim(centre[0] - half, centre[0] + half)
-    axes.set_ylim(centre[1] - half, centre[1] + half)
-    axes.set_aspect('equal')
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MultipleLocator(0.1))
-        axis.set_major_formatter('{x:.1f} m')
+    show_square(
+        axes,
+        [
+            *reach(scene.waypoints, scene.task.reach_radius),
+            *map(outline, scene.obstacles),
+            *(record.executed.positions[:, :2] for record in story.records),
+        ],
+    )

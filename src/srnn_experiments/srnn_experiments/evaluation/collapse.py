@@ -70,39 +70,58 @@ def mean_of_bins(trials: Sequence[Sequence[float | None]]) -> list[float | None]
     return means
 
 
+def headline(found: dict[str, Any]) -> str:
+    """Return the finding in one line."""
+    gone, count = _collapsed(found)
+    return (
+        f'Without a trigger {gone or "none"} of {count} trials collapsed within '
+        f'{found["segments"]} segments'
+    )
+
+
 def caption(found: dict[str, Any]) -> str:
     """Return what the figure shows, in words, and whether the model collapsed."""
-    untriggered = [s for name, s in found['settings'].items() if name.startswith(UNTRIGGERED)]
-    gone = sum(s['states'].count('collapsed') for s in untriggered)
-    count = sum(len(s['states']) for s in untriggered)
+    gone, count = _collapsed(found)
     verdict = (
-        f'The model did not collapse: all {count} untriggered trials'
-        if not gone
-        else f'The model collapsed in {gone} of {count} untriggered trials; the others'
+        f'The model collapsed in {gone} of {count} untriggered trials; the others'
+        if gone
+        else f'The model did not collapse: all {count} untriggered trials'
     )
-    parts = []
+    return (
+        f'{verdict} still sampled valid movements after {found["segments"]} segments (paper: '
+        'without a trigger no constant rate was stable, in the end no valid movement could be '
+        'sampled). Constant rates, where the global signal triggers or in every step of every '
+        f'segment, {len(found["seeds"])} trials each, means of {found["bin_segments"]} segments: '
+        'single trials thin, their mean bold, over those that go on; a cross marks where a trial '
+        'was given up. Bottom: mean change of the network by the untriggered rate, each on a '
+        'scale of its own. Collapsed: given up for want of a valid movement; stranded: moves, '
+        f'but does not reach every way point in the last {found["late_segments"]} segments; '
+        'fine: neither.'
+    )
+
+
+def key_numbers(found: dict[str, Any]) -> list[str]:
+    """Return a line for each setting."""
+    lines = []
     for name, setting in found['settings'].items():
-        states, late = setting['states'], setting['late_reached']
+        states, late, touches = setting['states'], setting['late_reached'], setting['touches']
         low, high = setting['fine_interval']
-        parts.append(
+        lines.append(
             f'{name}: {states.count("collapsed")} collapsed, {states.count("stranded")} '
             f'stranded, {states.count("fine")} of {len(states)} fine [{low:.0%}, {high:.0%}]; '
             f'{late["mean"]:.1f} ± {late["sd"]:.1f} way points reached in the last '
-            f'{found["late_segments"]} segments, {setting["touches"]["mean"]:.1f} ± '
-            f'{setting["touches"]["sd"]:.1f} touches and {setting["invalid_plans"]["mean"]:.1f} '
-            f'invalid plans in the trial, strongest change of input '
-            f'{setting["strongest_input"]:+.2f}'
+            f'{found["late_segments"]} segments, {touches["mean"]:.1f} ± {touches["sd"]:.1f} '
+            f'touches and {setting["invalid_plans"]["mean"]:.1f} invalid plans per trial, '
+            f'strongest mean change of input {setting["strongest_input"]:+.2f}'
         )
-    return (
-        f'{verdict} still sampled valid movements after {found["segments"]} segments (paper: '
-        'without a trigger no constant rate was stable, no valid movement could be sampled any '
-        'more). Constant rates, triggered by the global signal or in every step of every '
-        f'segment, {len(found["seeds"])} trials each, means over {found["bin_segments"]} '
-        'segments: single trials thin, mean bold; bottom: mean change of the network by the '
-        'untriggered rate. Collapsed: given up for want of a valid movement; stranded: moves, '
-        f'but did not reach every way point in the last {found["late_segments"]} segments. '
-        f'{"; ".join(parts)}.'
-    )
+    return lines
+
+
+def _collapsed(found: dict[str, Any]) -> tuple[int, int]:
+    """Return how many of the untriggered trials collapsed, and how many there are."""
+    untriggered = [s for name, s in found['settings'].items() if name.startswith(UNTRIGGERED)]
+    gone = sum(s['states'].count('collapsed') for s in untriggered)
+    return gone, sum(len(s['states']) for s in untriggered)
 
 
 def _setting(trials: Sequence[Trial], length: int, width: int) -> dict[str, Any]:

@@ -40,29 +40,39 @@ def binned_mean(series: Sequence[Sequence[float]], width: int) -> list[float]:
     return [float(np.mean(values)) for values in bins]
 
 
+def headline(found: dict[str, Any]) -> str:
+    """Return the finding in one line."""
+    parts = [
+        f'{name} {signal["updates"]["mean"]:.1f} ± {signal["updates"]["sd"]:.1f} '
+        f'(paper {signal["paper_updates"][0]:g} ± {signal["paper_updates"][1]:g})'
+        for name, signal in found['signals'].items()
+    ]
+    return f'Updates per trial: {", ".join(parts)}'
+
+
 def caption(found: dict[str, Any]) -> str:
     """Return what the figure shows, in words."""
-    parts = []
-    for name, signal in found['signals'].items():
-        updates, paper = signal['updates'], signal['paper_updates']
-        after = signal['last_update']
-        parts.append(
-            f'{name}: {updates["mean"]:.1f} ± {updates["sd"]:.1f} [{updates["low"]:.1f}, '
-            f'{updates["high"]:.1f}] updates per trial (paper {paper[0]:g} ± {paper[1]:g}), '
-            f'{signal["updates_touched"]} of {signal["updates_all"]} in segments that touched, '
-            + (
-                f'the last one in segment {after["mean"]:.0f} ± {after["sd"]:.0f}'
-                if after
-                else 'none in any trial'
-            )
-        )
     return (
         'Largest learning signal of every segment, before its limit, all '
-        f'{len(found["seeds"])} trials (dots; filled where it triggered an update) and the mean '
+        f'{len(found["seeds"])} trials (dots, large where it triggered an update) and the mean '
         f'over trials and {found["bin_segments"]} segments (line), with the threshold that '
-        'triggers learning; right: updates so far, every trial and their mean, and the mean '
-        f' ± sd of the paper at the end. {"; ".join(parts)}.'
+        'triggers learning. Right: updates so far, every trial and their mean, and mean ± sd of '
+        'the paper.'
     )
+
+
+def key_numbers(found: dict[str, Any]) -> list[str]:
+    """Return a line for each signal."""
+    lines = []
+    for name, signal in found['signals'].items():
+        updates, paper, last = signal['updates'], signal['paper_updates'], signal['last_update']
+        lines.append(
+            f'{name}: {updates["mean"]:.1f} ± {updates["sd"]:.1f} [{updates["low"]:.1f}, '
+            f'{updates["high"]:.1f}] updates per trial (paper {paper[0]:g} ± {paper[1]:g}), '
+            f'{signal["updates_touched"]} of {signal["updates_all"]} in segments that touched'
+            + (f'; last update in segment {last["mean"]:.0f} ± {last["sd"]:.0f}' if last else '')
+        )
+    return lines
 
 
 def _signal(trials: Sequence[Trial], peak: str) -> dict[str, Any]:

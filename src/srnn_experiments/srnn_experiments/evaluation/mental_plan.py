@@ -38,30 +38,51 @@ def phases(touched: Sequence[bool], updated: Sequence[bool]) -> list[str]:
     return [PHASES[(i >= first) + (i > last)] for i in range(len(updated))]
 
 
-def caption(found: dict[str, Any]) -> str:
-    """Return what the figure shows, in words."""
+def headline(found: dict[str, Any]) -> str:
+    """Return the finding in one line."""
     parts = []
     for name, trial in found['trials'].items():
-        counts = {phase: trial['phases'].count(phase) for phase in PHASES}
-        late = sum(
-            touched
-            for touched, phase in zip(trial['touched'], trial['phases'], strict=True)
-            if phase == 'after'
-        )
+        after = _after(trial)
         parts.append(
-            f'{name}: {sum(trial["touched"])} touches and {sum(trial["updated"])} updates in '
-            f'{len(trial["touched"])} segments, of which {counts["before"]} before, '
-            f'{counts["while"]} while and {counts["after"]} after learning; '
-            f'{late} touches after learning'
+            f'{name} {after["touched"]} touches and {after["reached"]} way points in '
+            f'{after["segments"]} segments'
         )
+    return f'After learning: {", ".join(parts)}'
+
+
+def caption(found: dict[str, Any]) -> str:
+    """Return what the figure shows, in words."""
     return (
         'Mental plan and executed path over time, for the first trial of each signal '
         f'(seed {found["seeds"][0]}, not chosen), its first {found["shown_segments"]} segments, '
         'way point that attracts in grey; right: all mental plans of the trial in the plane. '
         'Time is the planned execution time, so that both paths of a segment stand above each '
         'other; after a touch the arm stays where it was stopped while the plan goes on. '
-        f'{"; ".join(parts)}.'
+        'Learning lasts from the first touch to the last update of the trial.'
     )
+
+
+def key_numbers(found: dict[str, Any]) -> list[str]:
+    """Return a line for each signal."""
+    lines = []
+    for name, trial in found['trials'].items():
+        count = {phase: trial['phases'].count(phase) for phase in PHASES}
+        after = _after(trial)
+        lines.append(
+            f'{name}: {sum(trial["touched"])} touches, {sum(trial["updated"])} updates and '
+            f'{sum(trial["reached"])} way points reached in {len(trial["touched"])} segments, '
+            f'of which {count["before"]} before, {count["while"]} while and {count["after"]} '
+            f'after learning; after it {after["touched"]} touches and {after["reached"]} way '
+            'points reached'
+        )
+    return lines
+
+
+def _after(trial: dict[str, Any]) -> dict[str, int]:
+    """Return segments after learning, and how many of them touched and reached."""
+    late = [i for i, phase in enumerate(trial['phases']) if phase == 'after']
+    counts = {name: sum(trial[name][i] for i in late) for name in ('touched', 'reached')}
+    return {'segments': len(late), **counts}
 
 
 def _trial(trial: Trial) -> dict[str, Any]:
@@ -70,6 +91,7 @@ def _trial(trial: Trial) -> dict[str, Any]:
         'active': trace['active'],
         'touched': trace['touched'],
         'updated': trace['updated'],
+        'reached': trace['reached'],
         'phases': phases(trace['touched'], trace['updated']),
         'times_s': paths['times'],
         'plans_m': paths['plans'],

@@ -63,41 +63,54 @@ def cut_of_largest(values: NDArray[np.float64], share: float) -> float:
     return float(np.sort(values)[-ceil(share * len(values))])
 
 
+def headline(found: dict[str, Any]) -> str:
+    """Return the finding in one line."""
+    parts = [
+        f'{signal["mass_of_largest"]["mass"]:.0%} ({name})'
+        for name, signal in found['signals'].items()
+        if signal['mass_of_largest'] is not None
+    ]
+    return (
+        f'Update mass of the largest {found["largest"]:.0%} of the signals: {", ".join(parts)}'
+        if parts
+        else 'No signal exceeded its threshold'
+    )
+
+
 def caption(found: dict[str, Any]) -> str:
     """Return what the figure shows, in words."""
-    parts = []
+    return (
+        'Magnitudes of all learning signals above their threshold: global one for each step, '
+        f'local one for each step and neuron, of {len(found["seeds"])} trials each. Left: share '
+        f'of the signals in each of {len(found["edges"]) - 1} bins; dashed: thresholds. Right: '
+        'share of the update mass (sum of the signals) that the largest signals carry; marks: '
+        'the paper. Brackets: 95 % bootstrap over whole trials.'
+    )
+
+
+def key_numbers(found: dict[str, Any]) -> list[str]:
+    """Return a line for each signal, and how they compare."""
+    lines = []
     for name, signal in found['signals'].items():
         mass = signal['mass_of_largest']
         if mass is None:
-            parts.append(f'{name}: no signal exceeded its threshold')
+            lines.append(f'{name}: no signal exceeded its threshold')
             continue
-        parts.append(
-            f'{name}: {signal["count"]} signals in {len(found["seeds"])} trials, the largest '
-            f'{found["largest"]:.0%} (from {signal["cut_of_largest"]:.3f} on) carry '
-            f'{mass["mass"]:.0%} [{mass["low"]:.0%}, {mass["high"]:.0%}] of the update mass '
-            f'(paper {signal["paper_mass_of_largest"]:.0%}), {signal["at_limit"]:.1%} stand at '
-            f'the limit, largest {signal["largest_signal"]:.3f}'
+        lines.append(
+            f'{name}: {signal["count"]} signals, the largest {found["largest"]:.0%} (from '
+            f'{signal["cut_of_largest"]:.3f} on) carry {mass["mass"]:.0%} [{mass["low"]:.0%}, '
+            f'{mass["high"]:.0%}] of the update mass (paper '
+            f'{signal["paper_mass_of_largest"]:.0%}), {signal["at_limit"]:.1%} stand at the '
+            f'limit, largest {signal["largest_signal"]:.3f}'
         )
-    return (
-        'Magnitudes of all learning signals above their threshold: global one for each step, '
-        'local one for each step and neuron. Left: share of the signals in each of '
-        f'{len(found["edges"]) - 1} bins; dashed: thresholds. Right: share of the update mass '
-        '(sum of the signals) that the largest signals carry; marks: the paper. Brackets: 95 % '
-        f'bootstrap over whole trials. {"; ".join(parts)}. {_compared(found)}'
-    )
-
-
-def _compared(found: dict[str, Any]) -> str:
     below = found['largest_global_below_largest_local']
-    if below is None:
-        return ''
-    share, signal = found['largest'], found['signals']['global']
-    verdict = 'As in the paper, all' if below == 1.0 else f'In the paper all, here {below:.0%}'
-    return (
-        f'{verdict} of the largest {share:.0%} of the global signals '
-        f'({signal["cut_of_largest"]:.3f} to {signal["largest_signal"]:.3f}) are smaller than '
-        f'every one of the largest {share:.0%} of the local ones.'
-    )
+    if below is not None:
+        lines.append(
+            f'{below:.0%} (paper: all) of the largest {found["largest"]:.0%} of the global '
+            'signals are smaller than every one of the largest '
+            f'{found["largest"]:.0%} of the local ones'
+        )
+    return lines
 
 
 def _below(evaluation: Evaluation) -> float | None:

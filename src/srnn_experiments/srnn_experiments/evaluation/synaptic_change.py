@@ -45,28 +45,48 @@ def share_near(change: NDArray[np.float64], near: NDArray[np.bool_]) -> float | 
     return float(np.abs(change[near]).sum()) / total if total > 0.0 else None
 
 
+def headline(found: dict[str, Any]) -> str:
+    """Return the finding in one line."""
+    parts = [
+        f'{signal["near"]["mean"]:.0%} ({name})'
+        for name, signal in found['signals'].items()
+        if signal['near'] is not None
+    ]
+    return (
+        f'Change of input that lies close to an obstacle: {", ".join(parts)}'
+        if parts
+        else 'The network has not changed'
+    )
+
+
 def caption(found: dict[str, Any]) -> str:
     """Return what the figure shows, in words."""
-    parts = []
-    for name, signal in found['signals'].items():
-        text = (
-            f'{name}: strongest mean change of input {signal["strongest_input"]:+.3f}, of output '
-            f'{signal["strongest_output"]:+.3f}, input of {signal["changed"]["mean"]:.1f} ± '
-            f'{signal["changed"]["sd"]:.1f} neurons changed by more than {CHANGED:g}'
-        )
-        if signal['near'] is not None:
-            text += (
-                f', {signal["near"]["mean"]:.0%} [{signal["near"]["low"]:.0%}, '
-                f'{signal["near"]["high"]:.0%}] of all change of input within '
-                f'{1e3 * found["near_m"]:.0f} mm of an obstacle'
-            )
-        parts.append(f'{text} ({signal["unchanged_trials"]} trials without any change)')
     return (
         'Average change of synaptic input (colour) and output (size of the circles) of every '
         f'neuron, mean over {len(found["seeds"])} trials of {found["segments"]} segments, the '
-        f'same scales on both sides. {"; ".join(parts)}. The paper gives no number but an '
-        'example: input changed by -0.03.'
+        'same scales on both sides. Close to an obstacle: neurons within '
+        f'{1e3 * found["near_m"]:.0f} mm, the distance of neurons. The paper gives no number but '
+        'an example: input changed by -0.03.'
     )
+
+
+def key_numbers(found: dict[str, Any]) -> list[str]:
+    """Return a line for each signal."""
+    lines = []
+    for name, signal in found['signals'].items():
+        changed, near = signal['changed'], signal['near']
+        text = (
+            f'{name}: strongest mean change of input {signal["strongest_input"]:+.3f}, of output '
+            f'{signal["strongest_output"]:+.3f}; input of {changed["mean"]:.1f} ± '
+            f'{changed["sd"]:.1f} neurons changed by more than {CHANGED:g}'
+        )
+        if near is not None:
+            text += (
+                f'; {near["mean"]:.0%} [{near["low"]:.0%}, {near["high"]:.0%}] of all change of '
+                'input close to an obstacle'
+            )
+        lines.append(f'{text}; {signal["unchanged_trials"]} trials without any change')
+    return lines
 
 
 def _signal(trials: Sequence[Trial], near: NDArray[np.bool_]) -> dict[str, Any]:

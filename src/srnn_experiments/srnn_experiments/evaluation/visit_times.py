@@ -29,33 +29,46 @@ def numbers(evaluation: Evaluation) -> dict[str, Any]:
     }
 
 
+def headline(found: dict[str, Any]) -> str:
+    """Return the finding in one line."""
+    parts = [
+        f'{name} {segments(signal["median"])}' for name, signal in found['signals'].items()
+    ]
+    return f'Median segments per visit of the blocked way point: {", ".join(parts)}'
+
+
 def caption(found: dict[str, Any]) -> str:
     """Return what the figure shows, in words."""
-    parts = []
-    for name, signal in found['signals'].items():
-        reached = signal['completed_per_trial']
-        paper = ' (paper {:g} ± {:g})'.format(*signal['paper']) if signal['paper'] else ''
-        parts.append(
-            f'{name}: median {segments(signal["median"])} [{segments(signal["low"])}, '
-            f'{segments(signal["high"])}] segments per visit, {reached["mean"]:.1f} ± '
-            f'{reached["sd"]:.1f} [{reached["low"]:.1f}, {reached["high"]:.1f}] visits per trial'
-            f'{paper}, {signal["cut_off"]} of {signal["begun"]} visits begun were cut off by the '
-            'end of their trial'
-        )
     return (
         f'Segments for each visit of the blocked way point {found["waypoint"]}, '
         f'{len(found["seeds"])} trials of {found["segments"]} segments. Left: every visit; open '
         'triangles are visits that were never completed, at the segments they had taken when '
         'the trial ended; lines are medians over trials that allow for them (Kaplan-Meier), '
         'drawn while at least half of all trials begin that visit. Right: share of visits still '
-        'unfinished after so many segments. Brackets and bands: 95 % bootstrap over whole '
-        f'trials. {"; ".join(parts)}.'
+        'unfinished after so many segments. Brackets, bars and bands: 95 % bootstrap over whole '
+        'trials.'
     )
 
 
+def key_numbers(found: dict[str, Any]) -> list[str]:
+    """Return a line for each setting."""
+    lines = []
+    for name, signal in found['signals'].items():
+        reached = signal['completed_per_trial']
+        paper = ' (paper {:g} ± {:g})'.format(*signal['paper']) if signal['paper'] else ''
+        lines.append(
+            f'{name}: median {segments(signal["median"])} [{segments(signal["low"])}, '
+            f'{segments(signal["high"])}] segments per visit, {reached["mean"]:.1f} ± '
+            f'{reached["sd"]:.1f} [{reached["low"]:.1f}, {reached["high"]:.1f}] visits per trial'
+            f'{paper}, {signal["cut_off"]} of {signal["begun"]} visits cut off by the end of '
+            'their trial'
+        )
+    return lines
+
+
 def segments(count: float | None) -> str:
-    """Return a number of segments as text; None is more than any trial has."""
-    return '–' if count is None else f'{count:g}'
+    """Return a number of segments as text; None is more than was ever seen."""
+    return 'not reached' if count is None else f'{count:g}'
 
 
 def _signal(name: str, trials: Sequence[Trial], blocked: int, length: int) -> dict[str, Any]:
