@@ -175,9 +175,9 @@ def _table1(options: argparse.Namespace) -> int:
 
 def _figures(options: argparse.Namespace) -> int:
     from srnn_bringup.experiment import base_setting, make_scheduler
-    from srnn_bringup.figures import run_figures
+    from srnn_bringup.figures import run_paper_figures
 
     base = base_setting(_configuration(options), options.segments, options.world)
     seeds = range(options.seed, options.seed + options.trials)
     scheduler = make_scheduler(options.workers, options.scheduler)
-    return run_figures(base, seeds, options.long, scheduler, options.out, print)
+    return run_paper_figures(base, seeds, options.long, scheduler, options.out, print)

@@ -13,7 +13,7 @@ from srnn_experiments.setting import Setting
 from srnn_experiments.store import TrialStore
 
 
-def run_figures(
+def run_paper_figures(
     base: Setting,
     seeds: Sequence[int],
     long: int,

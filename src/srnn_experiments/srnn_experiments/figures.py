@@ -39,8 +39,7 @@ def run_figures(records: Sequence[SegmentRecord], blocked: int) -> dict[str, Any
         'laps': records[-1].after.laps if records else 0,
         'waypoints_reached': records[-1].after.reached if records else 0,
         'segments_to_blocked': visit_lengths(
-            [record.before.active for record in records],
-            [record.reached for record in records], blocked,
+            [r.before.active for r in records], [r.reached for r in records], blocked
         ).completed,
         'still_reached': still_reached(records),
         'planning_ms': spread([r.planning_ms for r in records if r.planning_ms is not None]),

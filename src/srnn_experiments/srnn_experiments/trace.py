@@ -40,9 +40,7 @@ def trace(
     neurons = StateNeurons(model.network)
     global_peak, local_peak, signals = list[float](), list[float](), list[float]()
     for record in records:
-        mismatch = experienced(
-            model, neurons, record.plan.positions, record.executed.positions
-        )
+        mismatch = experienced(model, neurons, record.plan.positions, record.executed.positions)
         local = local_signal(mismatch, model.learning.local_scale)
         global_peak.append(float(mismatch.squared_distance.max()))
         local_peak.append(float(local.max()))

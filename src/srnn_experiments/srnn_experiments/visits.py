@@ -41,9 +41,7 @@ def visit_lengths(active: Sequence[int], reached: Sequence[Any], index: int) -> 
     return Visits(completed, count)
 
 
-def unfinished(
-    ended: NDArray[np.float64], cut_off: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def unfinished(ended: NDArray[np.float64], cut_off: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the share of visits that take more than n segments, for n = 1 to N.
 
     The product-limit estimate (Kaplan and Meier 1958): a visit that was cut off counts as

@@ -36,9 +36,7 @@ def draw(found: dict[str, Any], headline: str, path: Path) -> None:
     """Draw the figure into a file."""
     rates = found['rates']
     with figure_file(path, SIZE, headline) as figure:
-        grid = figure.subplots(
-            len(ROWS) + 1, len(rates), height_ratios=[1.0] * len(ROWS) + [2.3]
-        )
+        grid = figure.subplots(len(ROWS) + 1, len(rates), height_ratios=[1.0] * len(ROWS) + [2.3])
         for column, rate in enumerate(rates):
             for row, name in enumerate(ROWS):
                 axes = grid[row, column]

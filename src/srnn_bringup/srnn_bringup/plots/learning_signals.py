@@ -70,9 +70,7 @@ def _draw_updates(axes: Axes, found: dict[str, Any], name: str, signal: dict[str
         label = None if number else 'trial'
         axes.plot(segments, curve, color=colour, drawstyle='steps-post', label=label, **SINGLE)
     mean_curve = curves.mean(axis=0)
-    axes.plot(
-        segments, mean_curve, color=colour, drawstyle='steps-post', lw=2.6, label='mean'
-    )
+    axes.plot(segments, mean_curve, color=colour, drawstyle='steps-post', lw=2.6, label='mean')
     mean, sd = signal['paper_updates']
     axes.errorbar(
         1.06 * end, mean, sd, fmt='D', color=INK, ms=6, capsize=4, label='paper', clip_on=False

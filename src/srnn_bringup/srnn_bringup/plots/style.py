@@ -4,6 +4,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 from matplotlib import rc_context
@@ -18,6 +19,9 @@ OBSTACLE, REACH, NEURON = '#8d99ae', '#adb5bd', '#6c757d'
 
 SIGNAL_COLOURS = {'none': '#6c757d', 'global': '#d55e00', 'local': '#0072b2'}
 SIGNAL_MARKS = {'none': 's', 'global': 'D', 'local': 'o'}
+
+CHARACTERS = 7.0
+"""Of a headline, in an inch."""
 
 SINGLE: Any = {'lw': 0.9, 'alpha': 0.35}
 """Line of one trial among many."""
@@ -42,7 +46,8 @@ def figure_file(path: Path, size: tuple[float, float], headline: str) -> Iterato
     with styled():
         pads = ConstrainedLayoutEngine(w_pad=0.07, h_pad=0.07)
         figure = Figure(figsize=size, dpi=DPI, layout=pads)
-        figure.suptitle(headline, x=0.012, ha='left', fontsize=15, fontweight='bold')
+        text = fill(headline, round(CHARACTERS * size[0]))
+        figure.suptitle(text, x=0.012, ha='left', fontsize=15, fontweight='bold')
         yield figure
         figure.savefig(path)
 

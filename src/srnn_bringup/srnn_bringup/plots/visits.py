@@ -35,12 +35,12 @@ def draw(found: dict[str, Any], headline: str, path: Path) -> None:
         left.xaxis.set_major_locator(MaxNLocator(integer=True))
         left.set_xlabel(f'visit of way point {found["waypoint"]}')
         left.set_ylabel('segments needed')
-        left.plot([], [], '^', color=INK, ms=7.5, mfc='none', mew=1.6, label='cut off by the end')
-        plain(left, 'every visit, and medians')
+        left.plot([], [], '^', color=INK, ms=7.5, mfc='none', mew=1.6, label='cut off')
+        plain(left)
         legend_above(left, 4)
         right.set_xscale('log')
         right.xaxis.set_major_formatter('{x:g}')
-        right.set_xlim(1.0, found['segments'])
+        right.set_xlim(1.0, max(found['segments'], 2))
         right.set_ylim(0.0, 1.02)
         right.yaxis.set_major_formatter(lambda share, _: f'{100 * share:.0f} %')
         right.set_xlabel('segments')
@@ -67,10 +67,11 @@ def _draw_visits(axes: Axes, found: dict[str, Any], name: str, signal: dict[str,
     if known:
         x = [v['visit'] + beside for v in known]
         median = np.array([v['median'] for v in known])
-        low = np.array([v['low'] for v in known])
-        high = np.array([v['high'] or found['segments'] for v in known])
+        low, high = (
+            np.array([v[end] or found['segments'] for v in known]) for end in ('low', 'high')
+        )
         axes.errorbar(
-            x, median, (median - low, high - median), color=colour, lw=2.0, elinewidth=1.6,
+            x, median, np.maximum((median - low, high - median), 0.0), color=colour, lw=2.0, elinewidth=1.6,
             capsize=2.5, marker=mark, ms=7, mec='white', label=name,
         )  # fmt: skip
 

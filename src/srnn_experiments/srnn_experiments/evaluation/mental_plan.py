@@ -44,8 +44,8 @@ def headline(found: dict[str, Any]) -> str:
     for name, trial in found['trials'].items():
         after = _after(trial)
         parts.append(
-            f'{name} {after["touched"]} touches and {after["reached"]} way points in '
-            f'{after["segments"]} segments'
+            f'{name} {after["touched"]} of {after["segments"]} segments touch and '
+            f'{after["reached"]} reach a way point'
         )
     return f'After learning: {", ".join(parts)}'
 

@@ -55,7 +55,7 @@ def mass_of_largest(
     mass = np.cumsum(counts * values[order])
     number = np.cumsum(counts)
     # A value in which the share ends counts in part.
-    return float(np.interp(share * number[-1], number, mass) / mass[-1])
+    return float(np.interp(share * number[-1], [0.0, *number], [0.0, *mass]) / mass[-1])
 
 
 def cut_of_largest(values: NDArray[np.float64], share: float) -> float:

@@ -20,9 +20,8 @@ def numbers(evaluation: Evaluation) -> dict[str, Any]:
     """Return the change of every neuron, the mean over trials, and how focused it is."""
     base = evaluation.base
     positions = np.array(neuron_positions(base))
-    spacing = 2.0 * base.brain.model.workspace.half_extent / (
-        base.brain.model.network.neurons_per_dimension - 1
-    )
+    model = base.brain.model
+    spacing = 2.0 * model.workspace.half_extent / (model.network.neurons_per_dimension - 1)
     near = clearance(positions, base.scene.obstacles) <= spacing
     return {
         **evaluation.known('local'),

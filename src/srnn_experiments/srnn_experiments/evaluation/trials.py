@@ -78,7 +78,5 @@ def evaluation(
     result: Callable[[Job], Trial],
 ) -> Evaluation:
     """Return the evaluation of trials that are all done; `result` returns that of a job."""
-    done = {
-        name: [result(job) for job in todo] for name, todo in jobs(base, seeds, long).items()
-    }
+    done = {name: [result(job) for job in todo] for name, todo in jobs(base, seeds, long).items()}
     return Evaluation(base, seeds, long, done)

@@ -31,9 +31,7 @@ def numbers(evaluation: Evaluation) -> dict[str, Any]:
 
 def headline(found: dict[str, Any]) -> str:
     """Return the finding in one line."""
-    parts = [
-        f'{name} {segments(signal["median"])}' for name, signal in found['signals'].items()
-    ]
+    parts = [f'{name} {segments(signal["median"])}' for name, signal in found['signals'].items()]
     return f'Median segments per visit of the blocked way point: {", ".join(parts)}'
 
 
@@ -72,9 +70,7 @@ def segments(count: float | None) -> str:
 
 
 def _signal(name: str, trials: Sequence[Trial], blocked: int, length: int) -> dict[str, Any]:
-    visits = [
-        visit_lengths(t['trace']['active'], t['trace']['reached'], blocked) for t in trials
-    ]
+    visits = [visit_lengths(t['trace']['active'], t['trace']['reached'], blocked) for t in trials]
     ended, cut_off = _counts(visits, length)
     weights = trial_weights(len(visits), RESAMPLES)
     share = unfinished(ended.sum(axis=0), cut_off.sum(axis=0))

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The statistics of the evaluation: laws in closed form."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+import numpy as np
+import pytest
+
+from srnn_experiments.evaluation.collapse import mean_of_bins, per_segment, state
+from srnn_experiments.evaluation.learning_signals import binned_mean
+from srnn_experiments.evaluation.mental_plan import phases
+from srnn_experiments.evaluation.signal_magnitudes import cut_of_largest, mass_of_largest
+from srnn_experiments.evaluation.synaptic_change import mean_change, share_near
+from srnn_experiments.intervals import describe, trial_interval, trial_weights
+from srnn_experiments.visits import Visits, median_length, unfinished, visit_lengths
+
+LENGTH = 12
+
+lengths = st.lists(st.integers(1, LENGTH), min_size=1, max_size=30)
+signals = st.lists(st.floats(0.02, 0.3), min_size=1, max_size=40)
+
+
+def counts(numbers):
+    return np.bincount(numbers, minlength=LENGTH + 1)[1:].astype(float)
+
+
+def test_visits_count_the_segments_of_their_way_point_alone():
+    active = [0, 1, 1, 1, 2, 0, 1, 2, 1, 1]
+    reached = [1, 0, 0, 1, 1, 1, 1, 1, 0, 0]
+    assert visit_lengths(active, reached, 1) == Visits([3, 1], 2)
+    assert visit_lengths(active, reached, 2) == Visits([1, 1], 0)
+    assert visit_lengths([], [], 0) == Visits([], 0)
+
+
+@given(lengths)
+def test_without_visits_cut_off_the_share_unfinished_is_what_was_seen(numbers):
+    share = unfinished(counts(numbers), np.zeros(LENGTH))
+    seen = [np.mean(np.array(numbers) > n) for n in range(1, LENGTH + 1)]
+    assert share == pytest.approx(seen, abs=1e-12)
+    lower = np.sort(numbers)[(len(numbers) - 1) // 2]
+    assert median_length(share) == lower
+
+
+@given(lengths, lengths)
+def test_a_share_unfinished_falls_and_does_not_depend_on_how_many_visits_there_are(ended, cut):
+    share = unfinished(counts(ended), counts(cut))
+    assert (np.diff(share, prepend=1.0) <= 0.0).all()
+    assert share[-1] >= 0.0
+    assert unfinished(3.0 * counts(ended), 3.0 * counts(cut)) == pytest.approx(share)
+    alone = unfinished(counts(ended), np.zeros(LENGTH))
+    assert (share >= alone - 1e-12).all()
+
+
+def test_visits_cut_off_count_as_long_as_they_were_seen():
+    share = unfinished(counts([1, 3]), counts([2]))
+    assert share[:3] == pytest.approx([2 / 3, 2 / 3, 0.0])
+    nothing = unfinished(np.zeros(LENGTH), counts([5, 5]))
+    assert (nothing == 1.0).all()
+    assert median_length(nothing) == np.inf
+
+
+@given(st.integers(1, 60), st.floats(0.0, 1.0))
+def test_equal_signals_carry_as_much_as_they_are_many(count, share):
+    assert mass_of_largest(np.full(count, 0.1), share) == pytest.approx(share)
+
+
+@given(signals, st.integers(1, 4), st.floats(0.0, 1.0))
+def test_a_weight_counts_as_often_as_the_value_were_there(values, times, share):
+    once = np.array(values)
+    mass = mass_of_largest(once, share)
+    assert share - 1e-9 <= mass <= 1.0 + 1e-9
+    assert mass_of_largest(np.repeat(once, times), share) == pytest.approx(mass)
+    weights = np.full(len(once), float(times))
+    assert mass_of_largest(once, share, weights) == pytest.approx(mass)
+
+
+def test_the_largest_of_the_first_whole_numbers_carry_what_gauss_says():
+    values = np.random.default_rng(0).permutation(np.arange(1.0, 101.0))
+    largest = sum(range(86, 101))
+    assert mass_of_largest(values, 0.15) == pytest.approx(largest / 5050)
+    assert cut_of_largest(values, 0.15) == 86.0
+    assert cut_of_largest(values, 0.001) == 100.0
+
+
+def test_learning_lasts_from_the_first_touch_to_the_last_update():
+    touched = [0, 0, 1, 0, 1, 0, 1]
+    updated = [0, 0, 0, 0, 1, 0, 0]
+    before, learning, after = ['before'] * 2, ['while'] * 3, ['after'] * 2
+    assert phases(touched, updated) == before + learning + after
+    assert phases([0, 1, 0], [0, 0, 0]) == ['before', 'while', 'while']
+    assert phases([0, 0], [0, 0]) == ['before', 'before']
+    assert phases([], []) == []
+
+
+def test_means_over_bins_use_what_there_is():
+    assert binned_mean([[1.0, 3.0, 5.0], [3.0, 5.0]], 2) == [3.0, 5.0]
+    assert per_segment([1.0, 3.0, 5.0], 6, 2) == [2.0, None, None]
+    assert mean_of_bins([[1.0, 2.0, None], [3.0, None, None]]) == [2.0, 2.0, None]
+
+
+def test_a_change_is_averaged_and_located():
+    trials = [{'change': {'input': [0.0, -2.0]}}, {'change': {'input': [1.0, 0.0]}}]
+    assert mean_change(trials, 'input') == [0.5, -1.0]
+    near = np.array([True, False, False])
+    assert share_near(np.array([-1.0, 2.0, 1.0]), near) == 0.25
+    assert share_near(np.zeros(3), near) is None
+
+
+def test_a_trial_that_was_given_up_has_collapsed():
+    assert state({'segments_executed': 99, 'still_reached': True}, 100) == 'collapsed'
+    assert state({'segments_executed': 100, 'still_reached': False}, 100) == 'stranded'
+    assert state({'segments_executed': 100, 'still_reached': True}, 100) == 'fine'
+
+
+def test_a_sample_is_described_as_numpy_does():
+    values = [1.0, 4.0, 4.0, 9.0]
+    found = describe(values)
+    assert found['mean'] == pytest.approx(np.mean(values))
+    assert found['sd'] == pytest.approx(np.std(values, ddof=1))
+    assert 1.0 <= found['low'] < found['mean'] < found['high'] <= 9.0
+    assert describe([2.0]) == {'mean': 2.0, 'sd': 0.0, 'low': 2.0, 'high': 2.0}
+
+
+def test_an_interval_over_trials_resamples_whole_trials():
+    weights = trial_weights(7, 50)
+    assert weights.shape == (50, 7)
+    assert (weights.sum(axis=1) == 7.0).all()
+    values = np.array([0.0, 1.0])
+    assert trial_interval(2, lambda w: float(w @ values / w.sum())) == (0.0, 1.0)
+    assert trial_interval(5, lambda w: float(w.sum())) == (5.0, 5.0)
