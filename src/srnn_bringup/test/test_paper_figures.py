@@ -135,10 +135,7 @@ def test_a_mistyped_option_is_refused_in_one_line(line, words, capsys, tmp_path,
 
 def cut(trial, segments):
     """Return a trial as if it had been given up after some segments."""
-    trace = {
-        name: values if name == 'signals' else values[:segments]
-        for name, values in trial['trace'].items()
-    }
+    trace = {name: values[:segments] for name, values in trial['trace'].items()}
     given_up = {'segments_executed': segments, 'still_reached': False, 'invalid_plans': 600}
     return {**trial, **given_up, 'trace': trace}
 
@@ -180,6 +177,20 @@ def test_trials_in_which_nothing_was_learned_can_be_drawn(folder, tmp_path):
             FIGURES['signal_magnitudes'].content.numbers(nothing)
         )[0]
     )
+
+
+def test_trials_in_which_nothing_could_be_planned_can_be_drawn(folder, tmp_path):
+    done = read(folder)
+    nowhere = {'times': [], 'plans': [], 'executed': []}
+    trials = {
+        name: [{**cut(trial, 0), 'paths': nowhere} for trial in trials]
+        for name, trials in done.trials.items()
+    }
+    dead = Evaluation(done.base, done.seeds, done.long, trials)
+    for name, figure in FIGURES.items():
+        found = figure.content.numbers(dead)
+        figure.draw(found, figure.content.headline(found), tmp_path / f'{name}.png')
+        json.dumps(found, allow_nan=False)
 
 
 def test_every_trial_leaves_what_the_figures_need():

@@ -44,10 +44,9 @@ def draw(found: dict[str, Any], headline: str, path: Path) -> None:
                 plain(axes, _states(found, rate) if row == 0 else '')
                 axes.tick_params(labelbottom=row == len(ROWS) - 1, labelleft=column == 0)
             grid[len(ROWS) - 1, column].set_xlabel('segment')
-        for row, (label, _) in enumerate(ROWS.values()):
-            top = max(axes.dataLim.ymax for axes in grid[row])
+        for row, (name, (label, _)) in enumerate(ROWS.items()):
             for axes in grid[row]:
-                axes.set_ylim(0.0, 1.06 * top or 1.0)
+                axes.set_ylim(0.0, 1.06 * _largest(found, name) or 1.0)
             grid[row, 0].set_ylabel(label)
         figure.legend(
             *grid[0, 0].get_legend_handles_labels(), loc='upper right', ncols=2, frameon=False,
@@ -106,6 +105,12 @@ def _states(found: dict[str, Any], rate: float) -> str:
         states = found['settings'][f'{signal} {rate:g}']['states']
         fine.append(f'{states.count("fine")} of {len(states)} {LABELS[signal]}')
     return f'rate {rate:g}: fine in\n{", ".join(fine)}'
+
+
+def _largest(found: dict[str, Any], name: str) -> float:
+    """Return the largest value of a series over all trials, 0 if there is none."""
+    series = [one for s in found['settings'].values() for one in s['trials'][name]]
+    return float(np.nanmax([0.0, *np.ravel([_scaled(one, name) for one in series])]))
 
 
 def _bins(found: dict[str, Any]) -> int:

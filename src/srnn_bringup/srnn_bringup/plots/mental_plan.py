@@ -117,8 +117,9 @@ def _draw_plane(axes: Axes, found: dict[str, Any], trial: dict[str, Any]) -> Non
             *trial['plans_m'],
         ],
     )
-    axes.legend(
-        loc='upper center', bbox_to_anchor=(0.5, -0.09), ncols=2, frameon=False, fontsize=11,
-        handlelength=1.2, columnspacing=1.0,
-    )  # fmt: skip
+    if trial['plans_m']:
+        axes.legend(
+            loc='upper center', bbox_to_anchor=(0.5, -0.09), ncols=2, frameon=False, fontsize=11,
+            handlelength=1.2, columnspacing=1.0,
+        )  # fmt: skip
     axes.set_title('mental plans of the whole trial', loc='left', fontsize=13)

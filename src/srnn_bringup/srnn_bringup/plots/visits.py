@@ -70,9 +70,10 @@ def _draw_visits(axes: Axes, found: dict[str, Any], name: str, signal: dict[str,
         low, high = (
             np.array([v[end] or found['segments'] for v in known]) for end in ('low', 'high')
         )
+        bars = np.maximum((median - low, high - median), 0.0)
         axes.errorbar(
-            x, median, np.maximum((median - low, high - median), 0.0), color=colour, lw=2.0, elinewidth=1.6,
-            capsize=2.5, marker=mark, ms=7, mec='white', label=name,
+            x, median, bars, color=colour, lw=2.0, elinewidth=1.6, capsize=2.5,
+            marker=mark, ms=7, mec='white', label=name,
         )  # fmt: skip
 
 
