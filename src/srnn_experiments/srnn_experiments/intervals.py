@@ -8,6 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 RESAMPLES = 10_000
+TRIAL_RESAMPLES = 1000
+"""Of single values, and of whole trials, with which everything is computed again."""
+
 SEED = 20190101
 """Resampling is repeatable: a report shows the same intervals every time."""
 
@@ -45,7 +48,7 @@ def describe(values: Sequence[float]) -> dict[str, float]:
 
 
 def trial_interval(
-    trials: int, statistic: Callable[[NDArray[np.float64]], float], resamples: int = 1000
+    trials: int, statistic: Callable[[NDArray[np.float64]], float]
 ) -> tuple[float, float]:
     """Return the 95 % bootstrap interval of a statistic over values that share trials.
 
@@ -54,20 +57,18 @@ def trial_interval(
     Args:
         trials: how many there are.
         statistic: takes how often each trial counts (trials,) and returns the statistic.
-        resamples: how often to resample.
 
     """
-    weights = trial_weights(trials, resamples)
-    values = [statistic(weight) for weight in weights]
+    values = [statistic(weights) for weights in trial_weights(trials)]
     low, high = np.percentile(values, [2.5, 97.5], method='inverted_cdf')
     return float(low), float(high)
 
 
-def trial_weights(trials: int, resamples: int) -> NDArray[np.float64]:
-    """Return how often each trial counts in every resample, (resamples, trials)."""
+def trial_weights(trials: int) -> NDArray[np.float64]:
+    """Return how often each trial counts in every resample, (TRIAL_RESAMPLES, trials)."""
     shares = np.full(trials, 1.0 / trials)
     rng = np.random.default_rng(SEED)
-    return rng.multinomial(trials, shares, size=resamples).astype(np.float64)
+    return rng.multinomial(trials, shares, size=TRIAL_RESAMPLES).astype(np.float64)
 
 
 def share_interval(successes: int, count: int) -> tuple[float, float]:

@@ -11,7 +11,7 @@ from srnn_experiments.evaluation.learning_signals import binned_mean
 from srnn_experiments.evaluation.mental_plan import phases
 from srnn_experiments.evaluation.signal_magnitudes import cut_of_largest, mass_of_largest
 from srnn_experiments.evaluation.synaptic_change import mean_change, share_near
-from srnn_experiments.intervals import describe, trial_interval, trial_weights
+from srnn_experiments.intervals import TRIAL_RESAMPLES, describe, trial_interval, trial_weights
 from srnn_experiments.visits import Visits, median_length, unfinished, visit_lengths
 
 LENGTH = 12
@@ -122,8 +122,8 @@ def test_a_sample_is_described_as_numpy_does():
 
 
 def test_an_interval_over_trials_resamples_whole_trials():
-    weights = trial_weights(7, 50)
-    assert weights.shape == (50, 7)
+    weights = trial_weights(7)
+    assert weights.shape == (TRIAL_RESAMPLES, 7)
     assert (weights.sum(axis=1) == 7.0).all()
     values = np.array([0.0, 1.0])
     assert trial_interval(2, lambda w: float(w @ values / w.sum())) == (0.0, 1.0)

@@ -32,18 +32,18 @@ def draw(found: dict[str, Any], headline: str, path: Path) -> None:
 
 def _draw_peaks(axes: Axes, found: dict[str, Any], name: str, signal: dict[str, Any]) -> None:
     colour = SIGNAL_COLOURS[name]
-    labels = {'no update': True, 'update': True}
-    for peaks, updates in zip(signal['peaks'], signal['update_segments'], strict=True):
-        values = np.array(peaks)
-        triggered = np.isin(np.arange(1, len(values) + 1), updates)
-        for kind, where, style in (
-            ('no update', ~triggered, {'ms': 2.6, 'color': INK, 'alpha': 0.3, 'mew': 0}),
-            ('update', triggered, {'ms': 7.0, 'color': colour, 'alpha': 0.75, 'mec': 'white'}),
-        ):
-            if where.any():
-                label = kind if labels.pop(kind, False) else None
-                numbers = np.flatnonzero(where) + 1
-                axes.plot(numbers, values[where], 'o', label=label, **style)  # type: ignore[arg-type]
+    numbers = np.concatenate([np.arange(1, len(peaks) + 1) for peaks in signal['peaks']])
+    values = np.concatenate(signal['peaks'])
+    pairs = zip(signal['peaks'], signal['update_segments'], strict=True)
+    updated = np.concatenate([np.isin(np.arange(1, len(p) + 1), u) for p, u in pairs])
+    axes.plot(
+        numbers[~updated], values[~updated], 'o', color=INK, ms=2.6, alpha=0.3, mew=0,
+        label='no update',
+    )  # fmt: skip
+    axes.plot(
+        numbers[updated], values[updated], 'o', color=colour, ms=7.0, alpha=0.75, mec='white',
+        label='update',
+    )  # fmt: skip
     width, mean = found['bin_segments'], signal['mean_peaks']
     edges = np.minimum(width * np.arange(len(mean) + 1), found['segments']) + 0.5
     axes.stairs(

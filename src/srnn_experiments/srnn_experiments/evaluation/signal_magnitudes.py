@@ -12,14 +12,13 @@ from srnn_experiments.evaluation.trials import LEARNING, Evaluation, Trial
 from srnn_experiments.intervals import trial_interval
 from srnn_experiments.paper import LARGEST, MASS_OF_LARGEST
 
-BINS = 28
+BINS = 30
 
 
 def numbers(evaluation: Evaluation) -> dict[str, Any]:
     """Return histograms of the signals, and the mass that the largest of them carry."""
     learning = evaluation.base.brain.model.learning
-    lowest = min(learning.global_threshold, learning.local_threshold)
-    edges = np.linspace(lowest, learning.limit, BINS + 1)
+    edges = np.linspace(0.0, learning.limit, BINS + 1)
     thresholds = {'global': learning.global_threshold, 'local': learning.local_threshold}
     found = {name: _signal(evaluation.trials[name], edges) for name in LEARNING}
     return {

@@ -13,8 +13,6 @@ from srnn_experiments.intervals import describe, trial_weights
 from srnn_experiments.paper import TABLE_1
 from srnn_experiments.visits import Visits, median_length, unfinished, visit_lengths
 
-RESAMPLES = 1000
-
 
 def numbers(evaluation: Evaluation) -> dict[str, Any]:
     """Return every visit, the median by number of the visit, and the share unfinished."""
@@ -72,7 +70,7 @@ def segments(count: float | None) -> str:
 def _signal(name: str, trials: Sequence[Trial], blocked: int, length: int) -> dict[str, Any]:
     visits = [visit_lengths(t['trace']['active'], t['trace']['reached'], blocked) for t in trials]
     ended, cut_off = _counts(visits, length)
-    weights = trial_weights(len(visits), RESAMPLES)
+    weights = trial_weights(len(visits))
     share = unfinished(ended.sum(axis=0), cut_off.sum(axis=0))
     resampled = unfinished(weights @ ended, weights @ cut_off)
     low, high = np.percentile(resampled, [2.5, 97.5], axis=0)
@@ -97,7 +95,7 @@ def _nth(visits: Sequence[Visits], n: int, length: int) -> dict[str, Any]:
         if n < len(v.completed) + (v.open > 0)
     ]
     ended, cut_off = _counts(begun, length)
-    weights = trial_weights(len(begun), RESAMPLES)
+    weights = trial_weights(len(begun))
     share = unfinished(ended.sum(axis=0), cut_off.sum(axis=0))
     return {
         'visit': n + 1,
