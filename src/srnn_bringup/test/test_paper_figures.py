@@ -220,15 +220,16 @@ def test_the_figures_of_longer_trials_obey_the_laws_of_the_method(tmp_path, caps
 
     visits = found['visits']['signals']
     for signal in visits.values():
-        share = signal['unfinished']
-        assert (np.diff(share['share']) <= 0.0).all()
-        assert (np.array(share['low']) <= np.array(share['high'])).all()
-        assert signal['begun'] - signal['cut_off'] == sum(
-            len(visit['completed']) for visit in signal['visits']
-        )
+        assert signal['begun'] - signal['cut_off'] == sum(map(len, signal['completed_at']))
+        lengths = [n for v in signal['by_visit'] for n in v['completed'] + v['cut_off_after']]
+        assert len(lengths) == signal['begun']
+        assert sum(lengths) <= 3 * 150
+        spent = signal['spent_per_visit']
+        assert signal['low'] <= spent <= (signal['high'] or np.inf)
+        assert spent * (signal['begun'] - signal['cut_off']) == pytest.approx(sum(lengths))
     reached = {name: signal['completed_per_trial']['mean'] for name, signal in visits.items()}
     assert reached['local'] > reached['none']
-    assert visits['local']['median'] < (visits['none']['median'] or np.inf)
+    assert visits['local']['spent_per_visit'] < visits['none']['spent_per_visit']
 
     for signal in found['signal_magnitudes']['signals'].values():
         assert sum(signal['counts']) == signal['count'] > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How long visits of a way point take, and what is known of those that never ended."""
+"""How long visits of a way point take, those that never ended included."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -41,34 +41,19 @@ def visit_lengths(active: Sequence[int], reached: Sequence[Any], index: int) -> 
     return Visits(completed, count)
 
 
-def unfinished(ended: NDArray[np.float64], cut_off: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the share of visits that take more than n segments, for n = 1 to N.
+def spent_per_visit(
+    spent: NDArray[np.float64], completed: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return how many segments were spent for each completed visit, infinite without any.
 
-    The product-limit estimate (Kaplan and Meier 1958): a visit that was cut off counts as
-    long as it was seen, and neither as completed nor as endless.
-
-    Args:
-        ended: (..., N) number of visits completed by their nth segment.
-        cut_off: (..., N) number of visits cut off after their nth segment.
-
-    Returns:
-        (..., N) shares, 1 where nothing is known.
-
-    """
-    gone = ended + cut_off
-    at_risk = np.cumsum(gone[..., ::-1], axis=-1)[..., ::-1]
-    return np.asarray(np.cumprod(1.0 - ended / np.where(at_risk > 0.0, at_risk, 1.0), axis=-1))
-
-
-def median_length(share: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return after how many segments half of the visits are completed.
+    Segments of visits that were cut off count as spent, so that a trial that never arrives
+    does not look better than one that does: the estimate of a mean from observations that
+    were cut off, events over exposure, upside down.
 
     Args:
-        share: (..., N) from `unfinished`.
-
-    Returns:
-        (...) segments, infinite where more than half were never completed.
+        spent: (...) segments spent on the way to the way point.
+        completed: (...) visits completed.
 
     """
-    below = share <= 0.5
-    return np.where(below.any(axis=-1), below.argmax(axis=-1) + 1.0, np.inf)
+    visits = np.asarray(completed, dtype=np.float64)
+    return np.where(visits > 0.0, spent / np.maximum(visits, 1.0), np.inf)

@@ -12,16 +12,10 @@ from srnn_experiments.evaluation.mental_plan import phases
 from srnn_experiments.evaluation.signal_magnitudes import cut_of_largest, mass_of_largest
 from srnn_experiments.evaluation.synaptic_change import mean_change, share_near
 from srnn_experiments.intervals import TRIAL_RESAMPLES, describe, trial_interval, trial_weights
-from srnn_experiments.visits import Visits, median_length, unfinished, visit_lengths
+from srnn_experiments.visits import Visits, spent_per_visit, visit_lengths
 
-LENGTH = 12
-
-lengths = st.lists(st.integers(1, LENGTH), min_size=1, max_size=30)
+lengths = st.lists(st.integers(1, 300), min_size=1, max_size=30)
 signals = st.lists(st.floats(0.02, 0.3), min_size=1, max_size=40)
-
-
-def counts(numbers):
-    return np.bincount(numbers, minlength=LENGTH + 1)[1:].astype(float)
 
 
 def test_visits_count_the_segments_of_their_way_point_alone():
@@ -33,30 +27,19 @@ def test_visits_count_the_segments_of_their_way_point_alone():
 
 
 @given(lengths)
-def test_without_visits_cut_off_the_share_unfinished_is_what_was_seen(numbers):
-    share = unfinished(counts(numbers), np.zeros(LENGTH))
-    seen = [np.mean(np.array(numbers) > n) for n in range(1, LENGTH + 1)]
-    assert share == pytest.approx(seen, abs=1e-12)
-    lower = np.sort(numbers)[(len(numbers) - 1) // 2]
-    assert median_length(share) == lower
+def test_without_visits_cut_off_as_much_is_spent_as_visits_take(numbers):
+    assert spent_per_visit(sum(numbers), len(numbers)) == pytest.approx(np.mean(numbers))
 
 
-@given(lengths, lengths)
-def test_a_share_unfinished_falls_and_does_not_depend_on_how_many_visits_there_are(ended, cut):
-    share = unfinished(counts(ended), counts(cut))
-    assert (np.diff(share, prepend=1.0) <= 0.0).all()
-    assert share[-1] >= 0.0
-    assert unfinished(3.0 * counts(ended), 3.0 * counts(cut)) == pytest.approx(share)
-    alone = unfinished(counts(ended), np.zeros(LENGTH))
-    assert (share >= alone - 1e-12).all()
+@given(lengths, st.integers(1, 300))
+def test_a_visit_cut_off_makes_the_others_dearer(numbers, open_one):
+    alone = spent_per_visit(sum(numbers), len(numbers))
+    assert spent_per_visit(sum(numbers) + open_one, len(numbers)) > alone
 
 
-def test_visits_cut_off_count_as_long_as_they_were_seen():
-    share = unfinished(counts([1, 3]), counts([2]))
-    assert share[:3] == pytest.approx([2 / 3, 2 / 3, 0.0])
-    nothing = unfinished(np.zeros(LENGTH), counts([5, 5]))
-    assert (nothing == 1.0).all()
-    assert median_length(nothing) == np.inf
+def test_who_never_arrives_spends_endlessly():
+    found = spent_per_visit(np.array([290.0, 12.0]), np.array([0.0, 2.0]))
+    assert found.tolist() == [np.inf, 6.0]
 
 
 @given(st.integers(1, 60), st.floats(0.0, 1.0))

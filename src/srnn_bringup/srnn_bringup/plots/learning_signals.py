@@ -5,10 +5,10 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib.axes import Axes
-from matplotlib.ticker import MaxNLocator
 import numpy as np
 
-from srnn_bringup.plots.style import INK, SIGNAL_COLOURS, SINGLE, figure_file, legend_above, plain
+from srnn_bringup.plots.counts import draw_counts, draw_paper
+from srnn_bringup.plots.style import INK, SIGNAL_COLOURS, figure_file, legend_above, plain
 
 SIZE = (13.0, 8.4)
 
@@ -61,23 +61,9 @@ def _draw_peaks(axes: Axes, found: dict[str, Any], name: str, signal: dict[str, 
 
 
 def _draw_updates(axes: Axes, found: dict[str, Any], name: str, signal: dict[str, Any]) -> None:
-    colour, end = SIGNAL_COLOURS[name], found['segments']
-    segments = np.arange(end + 1)
-    curves = np.array(
-        [np.searchsorted(numbers, segments, 'right') for numbers in signal['update_segments']]
-    )
-    for number, curve in enumerate(curves):
-        label = None if number else 'trial'
-        axes.plot(segments, curve, color=colour, drawstyle='steps-post', label=label, **SINGLE)
-    mean_curve = curves.mean(axis=0)
-    axes.plot(segments, mean_curve, color=colour, drawstyle='steps-post', lw=2.6, label='mean')
-    mean, sd = signal['paper_updates']
-    axes.errorbar(
-        1.06 * end, mean, sd, fmt='D', color=INK, ms=6, capsize=4, label='paper', clip_on=False
-    )
-    axes.set_xlim(0.0, 1.12 * end)
-    axes.xaxis.set_major_locator(MaxNLocator(4, integer=True))
-    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    end = found['segments']
+    draw_counts(axes, signal['update_segments'], end, SIGNAL_COLOURS[name], 'mean')
+    draw_paper(axes, signal['paper_updates'], 1.07 * end, INK, 'paper')
     axes.set_ylabel('updates so far')
     plain(axes)
-    legend_above(axes, 3)
+    legend_above(axes, 2)

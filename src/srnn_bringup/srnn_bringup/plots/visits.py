@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 import numpy as np
 
+from srnn_bringup.plots.counts import draw_counts, draw_paper
 from srnn_bringup.plots.style import (
     INK,
     SIGNAL_COLOURS,
@@ -29,24 +30,20 @@ def draw(found: dict[str, Any], headline: str, path: Path) -> None:
         left, right = figure.subplots(1, 2, width_ratios=[1.5, 1.0])
         for name, signal in found['signals'].items():
             _draw_visits(left, found, name, signal)
-            _draw_unfinished(right, name, signal)
+            _draw_so_far(right, found, name, signal)
         left.set_yscale('log')
         left.yaxis.set_major_formatter('{x:g}')
         left.xaxis.set_major_locator(MaxNLocator(integer=True))
+        left.set_xlim(left=0.4)
         left.set_xlabel(f'visit of way point {found["waypoint"]}')
         left.set_ylabel('segments needed')
         left.plot([], [], '^', color=INK, ms=7.5, mfc='none', mew=1.6, label='cut off')
-        plain(left)
-        legend_above(left, 4)
-        right.set_xscale('log')
-        right.xaxis.set_major_formatter('{x:g}')
-        right.set_xlim(1.0, max(found['segments'], 2))
-        right.set_ylim(0.0, 1.02)
-        right.yaxis.set_major_formatter(lambda share, _: f'{100 * share:.0f} %')
-        right.set_xlabel('segments')
-        right.set_ylabel('visits still unfinished, all together')
-        plain(right)
-        legend_above(right, 3)
+        right.set_xlabel('segment')
+        right.set_ylabel('visits so far')
+        right.set_ylim(bottom=0.0)
+        for axes, columns in ((left, 4), (right, 3)):
+            plain(axes)
+            legend_above(axes, columns)
 
 
 def _draw_visits(axes: Axes, found: dict[str, Any], name: str, signal: dict[str, Any]) -> None:
@@ -58,32 +55,24 @@ def _draw_visits(axes: Axes, found: dict[str, Any], name: str, signal: dict[str,
         axes.plot(*np.array(dots).T, mark, color=colour, ms=4.5, alpha=0.45, mew=0)
     if open_ones:
         axes.plot(*np.array(open_ones).T, '^', color=colour, ms=7.5, mfc='none', mew=1.6)
-    most = len(found['seeds'])
     known = [
         v for v in signal['by_visit']
-        if v['median'] is not None
-        and 2 * (len(v['completed']) + len(v['cut_off_after'])) >= most
+        if v['spent_per_visit'] is not None
+        and 2 * (len(v['completed']) + len(v['cut_off_after'])) >= len(found['seeds'])
     ]  # fmt: skip
     if known:
         x = [v['visit'] + beside for v in known]
-        median = np.array([v['median'] for v in known])
-        low, high = (
-            np.array([v[end] or found['segments'] for v in known]) for end in ('low', 'high')
-        )
-        bars = np.maximum((median - low, high - median), 0.0)
+        spent = np.array([v['spent_per_visit'] for v in known])
+        low = np.array([v['low'] for v in known])
+        high = np.array([v['high'] or v['spent_per_visit'] for v in known])
         axes.errorbar(
-            x, median, bars, color=colour, lw=2.0, elinewidth=1.6, capsize=2.5,
-            marker=mark, ms=7, mec='white', label=name,
+            x, spent, np.maximum((spent - low, high - spent), 0.0), color=colour, lw=2.0,
+            elinewidth=1.6, marker=mark, ms=7, mec='white', label=name,
         )  # fmt: skip
 
 
-def _draw_unfinished(axes: Axes, name: str, signal: dict[str, Any]) -> None:
-    curve, colour = signal['unfinished'], SIGNAL_COLOURS[name]
-    segments = np.arange(1, len(curve['share']) + 1)
-    axes.fill_between(
-        segments, curve['low'], curve['high'], step='post', color=colour, alpha=0.16, lw=0
-    )
-    axes.plot(
-        segments, curve['share'], drawstyle='steps-post', color=colour, lw=2.4,
-        label=f'{name}: {signal["begun"] - signal["cut_off"]} of {signal["begun"]} done',
-    )  # fmt: skip
+def _draw_so_far(axes: Axes, found: dict[str, Any], name: str, signal: dict[str, Any]) -> None:
+    end, colour = found['segments'], SIGNAL_COLOURS[name]
+    draw_counts(axes, signal['completed_at'], end, colour, name)
+    if signal['paper'] is not None:
+        draw_paper(axes, signal['paper'], (1.07 + 0.1 * BESIDE[name]) * end, colour)
