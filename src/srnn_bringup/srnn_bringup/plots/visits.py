@@ -38,12 +38,13 @@ def draw(found: dict[str, Any], headline: str, path: Path) -> None:
         left.set_xlabel(f'visit of way point {found["waypoint"]}')
         left.set_ylabel('segments needed')
         left.plot([], [], '^', color=INK, ms=7.5, mfc='none', mew=1.6, label='cut off')
+        right.plot([], [], 'D', color=INK, ms=8, mec='white', label='paper')
         right.set_xlabel('segment')
         right.set_ylabel('visits so far')
         right.set_ylim(bottom=0.0)
-        for axes, columns in ((left, 4), (right, 3)):
+        for axes in (left, right):
             plain(axes)
-            legend_above(axes, columns)
+            legend_above(axes, 4)
 
 
 def _draw_visits(axes: Axes, found: dict[str, Any], name: str, signal: dict[str, Any]) -> None:

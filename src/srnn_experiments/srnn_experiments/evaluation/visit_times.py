@@ -28,7 +28,7 @@ def headline(found: dict[str, Any]) -> str:
     parts = [
         f'{name} {rounded(signal["spent_per_visit"])}' for name, signal in found['signals'].items()
     ]
-    return f'Segments spent for each completed visit of the blocked way point: {", ".join(parts)}'
+    return f'Segments per completed visit of the blocked way point: {", ".join(parts)}'
 
 
 def caption(found: dict[str, Any]) -> str:
@@ -53,7 +53,7 @@ def key_numbers(found: dict[str, Any]) -> list[str]:
         paper = ' (paper {:g} ± {:g})'.format(*signal['paper']) if signal['paper'] else ''
         lines.append(
             f'{name}: {rounded(signal["spent_per_visit"])} [{rounded(signal["low"])}, '
-            f'{rounded(signal["high"])}] segments for each completed visit, '
+            f'{rounded(signal["high"])}] segments spent for each completed visit, '
             f'{reached["mean"]:.1f} ± {reached["sd"]:.1f} [{reached["low"]:.1f}, '
             f'{reached["high"]:.1f}] visits per trial{paper}, {signal["cut_off"]} of '
             f'{signal["begun"]} visits cut off by the end of their trial, the longest after '
