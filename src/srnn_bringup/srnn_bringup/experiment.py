@@ -98,7 +98,7 @@ def run_experiment(
     partial = asked.json.with_name(asked.json.name + '.partial') if asked.json else None
     jobs = trials(setting, range(asked.seed, asked.seed + asked.trials))
     if asked.save_weights is not None:
-        jobs[0] = Job(setting, asked.seed, keep_weights=True)
+        jobs[0] = Job(setting, asked.seed, keep={'weights'})
     scheduler = make_scheduler(asked.workers, asked.scheduler)
     done = run_with_progress(jobs, scheduler, TrialStore(partial), configuration.scene.task.name)
     packed = done[0].pop('weights', None)

@@ -22,6 +22,7 @@ from srnn_bringup.options import (
     new_file,
     whole,
 )
+from srnn_experiments.evaluation.trials import LONG
 from srnn_experiments.random_scenes_report import HELD_OUT
 from srnn_experiments.setting import AGENTS, WORLDS
 
@@ -49,6 +50,7 @@ def add_experiments(
         ('transfer', 'Learn in one world, go on in another with a new obstacle.',
          _add_transfer, _transfer),
         ('table1', "The paper's Table 1, beside the paper's own numbers.", _add_table, _table1),
+        ('figures', "The figures of the paper's evaluation.", _add_figures, _figures),
     ):
         parser = table.add_parser(name, help=text, description=text, allow_abbrev=False)
         add(parser)
@@ -140,6 +142,14 @@ def _add_table(parser: argparse.ArgumentParser) -> None:
     _add_out(parser)
 
 
+def _add_figures(parser: argparse.ArgumentParser) -> None:
+    _add_table(parser)
+    parser.add_argument(
+        '--long', type=whole(1, SEGMENTS_MAX), default=LONG, metavar='N',
+        help='length of the trials with a constant rate (default: %(default)s)',
+    )
+
+
 def _add_out(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--out', type=new_directory, required=True, metavar='DIR', help='directory to write to'
@@ -203,3 +213,13 @@ def _table1(options: argparse.Namespace) -> int:
     seeds = range(options.seed, options.seed + options.trials)
     scheduler = make_scheduler(options.workers, options.scheduler)
     return run_table1(base, seeds, scheduler, options.out, print)
+
+
+def _figures(options: argparse.Namespace) -> int:
+    from srnn_bringup.experiment import base_setting, make_scheduler
+    from srnn_bringup.figures import run_paper_figures
+
+    base = base_setting(_configuration(options), options.segments, options.world)
+    seeds = range(options.seed, options.seed + options.trials)
+    scheduler = make_scheduler(options.workers, options.scheduler)
+    return run_paper_figures(base, seeds, options.long, scheduler, options.out, print)

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many trials: each done once, wherever there is a worker, and remembered."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 from threadpoolctl import threadpool_limits
 
+from srnn_experiments.keepsakes import KEEPSAKES, NOTHING
 from srnn_experiments.setting import Setting
-from srnn_experiments.store import Key, TrialStore, pack
+from srnn_experiments.store import Key, TrialStore
 from srnn_experiments.trial import Outcome, run_trial
 
 
@@ -19,18 +20,18 @@ class Job:
     Attributes:
         setting: what is tried.
         seed: of all random numbers.
-        keep_weights: whether the weights at its end are wanted.
+        keep: what is wanted besides its figures, names of `KEEPSAKES`.
 
     """
 
     setting: Setting
     seed: int
-    keep_weights: bool = False
+    keep: Set[str] = NOTHING
 
     @property
     def key(self) -> Key:
         """What this job is known by."""
-        return self.setting.digest() + ('w' if self.keep_weights else ''), self.seed
+        return '+'.join([self.setting.digest(), *sorted(self.keep)]), self.seed
 
 
 class Scheduler(Protocol):
@@ -48,12 +49,10 @@ def outcome_of(job: Job) -> Outcome:
 
 
 def do(job: Job) -> dict[str, Any]:
-    """Return the figures of one trial; this is what a worker runs."""
+    """Return the figures of one trial, and what is to be kept; this is what a worker runs."""
     outcome = outcome_of(job)
-    trial = outcome.figures
-    if job.keep_weights and outcome.weights is not None:
-        trial['weights'] = pack(outcome.weights)
-    return trial
+    kept = {name: KEEPSAKES[name](job.setting, outcome) for name in sorted(job.keep)}
+    return outcome.figures | {name: value for name, value in kept.items() if value is not None}
 
 
 def run_jobs(
@@ -79,9 +78,9 @@ def run_jobs(
     return [store[job.key] for job in jobs]
 
 
-def trials(setting: Setting, seeds: Iterable[int], keep_weights: bool = False) -> list[Job]:
+def trials(setting: Setting, seeds: Iterable[int], keep: Set[str] = NOTHING) -> list[Job]:
     """Return a job for every seed."""
-    return [Job(setting, seed, keep_weights) for seed in seeds]
+    return [Job(setting, seed, keep) for seed in seeds]
 
 
 def rows(settings: Mapping[str, Setting], seeds: Sequence[int]) -> list[Job]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from srnn_experiments.segment_record import SegmentRecord, path_length
 from srnn_experiments.spread import mean_sd, spread
+from srnn_experiments.visits import visit_lengths
 from srnn_msgs_py.result import ResultCode
 
 LATE = 100
@@ -40,7 +41,9 @@ def run_figures(records: Sequence[SegmentRecord], blocked: int) -> dict[str, Any
         'contact_points_m': [record.executed.positions[-1, :2].tolist() for record in touched],
         'laps': records[-1].after.laps if records else 0,
         'waypoints_reached': records[-1].after.reached if records else 0,
-        'segments_to_blocked': visits(records, blocked),
+        'segments_to_blocked': visit_lengths(
+            [r.before.active for r in records], [r.reached for r in records], blocked
+        ).completed,
         'still_reached': still_reached(records),
         'planning_ms': spread([r.planning_ms for r in records if r.planning_ms is not None]),
         'update_ms': spread([r.lesson.update_ms for r in records if r.lesson and r.updated]),
@@ -48,20 +51,6 @@ def run_figures(records: Sequence[SegmentRecord], blocked: int) -> dict[str, Any
         'path_length_m': sum(path_length(record.executed.positions) for record in records),
         'tracking_rmse_m': tracking_rmse(records),
     }
-
-
-def visits(records: Sequence[SegmentRecord], index: int) -> list[int]:
-    """Return how many segments each completed visit of way point `index` took."""
-    counts = []
-    count = 0
-    for record in records:
-        if record.before.active != index:
-            continue
-        count += 1
-        if record.reached:
-            counts.append(count)
-            count = 0
-    return counts
 
 
 def still_reached(records: Sequence[SegmentRecord]) -> bool:

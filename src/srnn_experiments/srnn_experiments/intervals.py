@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """How sure one can be: intervals that hold the true value in 95 of 100 cases."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 RESAMPLES = 10_000
+TRIAL_RESAMPLES = 1000
+"""Of single values, and of whole trials, with which everything is computed again."""
+
 SEED = 20190101
 """Resampling is repeatable: a report shows the same intervals every time."""
 
@@ -41,6 +45,30 @@ def describe(values: Sequence[float]) -> dict[str, float]:
     sd = (sum((v - mean) ** 2 for v in values) / max(len(values) - 1, 1)) ** 0.5
     low, high = mean_interval(values)
     return {'mean': mean, 'sd': sd, 'low': low, 'high': high}
+
+
+def trial_interval(
+    trials: int, statistic: Callable[[NDArray[np.float64]], float]
+) -> tuple[float, float]:
+    """Return the 95 % bootstrap interval of a statistic over values that share trials.
+
+    Whole trials are resampled, because what happens within one is not independent.
+
+    Args:
+        trials: how many there are.
+        statistic: takes how often each trial counts (trials,) and returns the statistic.
+
+    """
+    values = [statistic(weights) for weights in trial_weights(trials)]
+    low, high = np.percentile(values, [2.5, 97.5], method='inverted_cdf')
+    return float(low), float(high)
+
+
+def trial_weights(trials: int) -> NDArray[np.float64]:
+    """Return how often each trial counts in every resample, (TRIAL_RESAMPLES, trials)."""
+    shares = np.full(trials, 1.0 / trials)
+    rng = np.random.default_rng(SEED)
+    return rng.multinomial(trials, shares, size=TRIAL_RESAMPLES).astype(np.float64)
 
 
 def share_interval(successes: int, count: int) -> tuple[float, float]:

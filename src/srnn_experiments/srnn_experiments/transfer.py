@@ -39,7 +39,7 @@ class Transfer:
 
     def source_jobs(self, seeds: Sequence[int]) -> list[Job]:
         """Return the trials that learn the first obstacles."""
-        return [Job(self.source, seed, keep_weights=True) for seed in seeds]
+        return [Job(self.source, seed, keep={'weights'}) for seed in seeds]
 
     def target_jobs(
         self, seeds: Sequence[int], weights: Sequence[NDArray[np.float32]]

@@ -27,12 +27,14 @@ class Outcome:
         figures: plain data for JSON.
         records: its segments.
         weights: (K, K) at its end; None for an agent without a network.
+        invalid_plans: how many there were until each segment was over.
 
     """
 
     figures: dict[str, Any]
     records: list[SegmentRecord]
     weights: NDArray[np.float32] | None
+    invalid_plans: list[int]
 
 
 def run_trial(setting: Setting, seed: int) -> Outcome:
@@ -41,8 +43,14 @@ def run_trial(setting: Setting, seed: int) -> Outcome:
     agent = make_agent(setting, seed)
     world = make_world(setting, seed)
     run = make_run(setting, world, agent)
-    records = run.run(setting.segments)
     counters = run.sequencer.counters
+    records, invalid_plans = run.records, list[int]()
+    while len(records) < setting.segments:
+        run.run(len(records) + 1)
+        new = len(records) - len(invalid_plans)
+        if not new:
+            break
+        invalid_plans += [counters.invalid_plans] * new
     figures = {
         'seed': seed,
         **run_figures(records, setting.scene.task.blocked),
@@ -53,7 +61,7 @@ def run_trial(setting: Setting, seed: int) -> Outcome:
         'wall_s': perf_counter() - began,
     }
     weights = agent.learner.weights if isinstance(agent, NetworkAgent) else None
-    return Outcome(figures, records, weights)
+    return Outcome(figures, records, weights, invalid_plans)
 
 
 def make_run(setting: Setting, world: World, agent: Agent) -> LockStep:

@@ -99,7 +99,7 @@ def test_a_file_of_something_else_is_refused(tmp_path):
 
 
 def test_weights_are_kept_when_they_are_wanted():
-    trial = do(Job(SETTING, 0, keep_weights=True))
+    trial = do(Job(SETTING, 0, keep={'weights'}))
     weights = unpack(trial['weights'])
     assert weights.shape == (225, 225)
     assert 'weights' not in do(Job(SETTING, 0))

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_planner.core import plasticity_kernel
-from srnn_planner.core.dissonance import compare, learning_signal, within_horizon
+from srnn_planner.core.dissonance import experienced, learning_signal
 from srnn_planner.core.encoding import spike_probability
 from srnn_planner.core.errors import PairingError
 from srnn_planner.core.parameters import ModelParameters
@@ -95,12 +95,7 @@ class Learner:
             raise PairingError(f'plan {mental.shape} and execution {executed.shape} differ')
         if not (np.isfinite(mental).all() and np.isfinite(executed).all()):
             raise PairingError('plan and execution must be finite')
-        workspace = self.model.workspace
-        happened = workspace.to_units(executed)
-        imagined = within_horizon(
-            workspace.to_units(mental), happened, self.model.learning.horizon
-        )
-        mismatch = compare(self.neurons, imagined, happened)
+        mismatch = experienced(self.model, self.neurons, mental, executed)
         rates = self._signal.rates(mismatch)
         updated = bool(rates.any())
         if updated:

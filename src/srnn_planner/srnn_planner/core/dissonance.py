@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.parameters import LearningParameters
+from srnn_planner.core.parameters import LearningParameters, ModelParameters
 from srnn_planner.core.state_neurons import StateNeurons
 
 
@@ -55,6 +55,25 @@ def within_horizon(
     return held
 
 
+def experienced(
+    model: ModelParameters,
+    neurons: StateNeurons,
+    mental: NDArray[np.float64],
+    executed: NDArray[np.float64],
+) -> Mismatch:
+    """Compare a plan with its execution, (T, d) [m], as the model learns from them."""
+    happened = model.workspace.to_units(executed)
+    imagined = within_horizon(
+        model.workspace.to_units(mental), happened, model.learning.horizon
+    )
+    return compare(neurons, imagined, happened)
+
+
+def local_signal(mismatch: Mismatch, scale: float) -> NDArray[np.float64]:
+    """Return c (omega_m - omega_e)^2 (T, K), before threshold and limit (eq. 6)."""
+    return np.asarray(scale * (mismatch.mental - mismatch.executed) ** 2)
+
+
 class AbstractSignal(ABC):
     """Turns a mismatch into the learning rates of one segment."""
 
@@ -91,7 +110,7 @@ class LocalSignal(AbstractSignal):
 
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
         """Return alpha (T, K)."""
-        signal = self._p.local_scale * (mismatch.mental - mismatch.executed) ** 2
+        signal = local_signal(mismatch, self._p.local_scale)
         return _above(signal, self._p.local_threshold, self._p.limit)
 
 

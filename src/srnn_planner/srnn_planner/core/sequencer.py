@@ -181,7 +181,7 @@ class Sequencer:
         if not self._retreating:
             return None
         times = min(self._touches_in_a_row, RETREATS)
-        return self._trail.back(times * self._planning.trajectory.retreat)
+        return self._trail.back(self._planning.trajectory.retreat, times)
 
     def _flight(self, stamp_ns: int) -> Flight | None:
         flights = (self._running, self._waiting)
