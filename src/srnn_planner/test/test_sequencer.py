@@ -120,13 +120,14 @@ def touch(sequencer, stamp, path, now):
     return np.linalg.norm(sequencer.request(now).retreat_to - path[-1])
 
 
-def test_every_contact_in_a_row_sends_the_arm_farther_back_up_to_a_limit(sequencer):
+def test_every_contact_in_a_row_sends_the_arm_farther_back_then_anew(sequencer):
     came = np.linspace(HERE, [0.2, 0.0], 200)
     stuck = np.repeat([[0.2, 0.0]], 5, axis=0)
     retreat = PLANNING.trajectory.retreat
-    for number in range(1, RETREATS + 3):
+    for number in range(1, 2 * RETREATS):
         back = touch(sequencer, number, came if number == 1 else stuck, float(number))
-        assert back == pytest.approx(min(number, RETREATS) * retreat, abs=0.0011)
+        times = (number - 1) % RETREATS + 1
+        assert back == pytest.approx(times * retreat, abs=0.0011)
     sequencer.sent(90, straight(), 0.01, 50.0)
     sequencer.executed(90, came)
     sequencer.result(result(90, ResultCode.DONE), 51.0)

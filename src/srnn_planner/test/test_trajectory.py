@@ -152,24 +152,3 @@ def test_any_path_can_be_joined_from_any_motion(seed):
     segment = time_path(path, start, 0.1, P)
     assert segment is not None
     assert np.linalg.norm(segment.accelerations, axis=1).max() <= P.acceleration_max
-
-
-def test_the_way_back_is_longer_only_where_the_arm_came_straight():
-    straight = Trail()
-    straight.extend(np.linspace([0.0, 0.0], [0.1, 0.0], 101))
-    assert straight.back(0.018, 4) == pytest.approx([0.1 - 0.072, 0.0], abs=0.0011)
-    bent = Trail()
-    bent.extend(np.linspace([0.06, 0.06], [0.06, 0.0], 61))
-    bent.extend(np.linspace([0.06, 0.0], [0.1, 0.0], 41))
-    # Straight to where the path comes from would be through what it went round.
-    assert bent.back(0.018, 4) == pytest.approx([0.1 - 0.036, 0.0], abs=0.0011)
-    assert bent.back(0.018, 1) == pytest.approx([0.1 - 0.018, 0.0], abs=0.0011)
-
-
-def test_the_way_back_ignores_small_steps_to_and_fro():
-    trail = Trail()
-    trail.extend(np.linspace([0.0, 0.0], [0.1, 0.0], 101))
-    for _ in range(3):
-        trail.extend(np.linspace([0.1, 0.0], [0.085, 0.004], 10))
-        trail.extend(np.linspace([0.085, 0.004], [0.1, 0.0], 10))
-    assert trail.back(0.018, 3) == pytest.approx([0.1 - 0.054, 0.0], abs=0.0011)

@@ -76,7 +76,7 @@ class ContextParameters(Parameters):
         0.75, above=0.0, maximum=10.0, doc='Exponent b of the generalized error distribution.'
     )
     aversion: float = parameter(
-        10.0, minimum=0.0, maximum=1000.0,
+        6.0, minimum=0.0, maximum=1000.0,
         doc='A step whose synapse has lost 1 counts as 1 + this many; 0: nothing is avoided.',
     )
     spike_probability_start: float = parameter(
@@ -139,7 +139,7 @@ class SelectionParameters(Parameters):
         doc='Share of the samples, those that lead on best by what was learned, to choose from.',
     )
     caution: float = parameter(
-        0.2, unit='units', minimum=0.0, maximum=10.0,
+        0.3, unit='units', minimum=0.0, maximum=10.0,
         doc='The worst blockage that a sample meets counts as if it lasted for this long.',
     )
     rule: str = parameter(

@@ -10,9 +10,6 @@ from srnn_planner.core.trajectory import Motion, Trajectory
 
 _KNOTS = 8
 
-STRAIGHT = 0.015
-"""A path that strays less from the line between its ends is straight [m]."""
-
 
 class Trail:
     """The last measured positions of the arm, so that it can go back where it came from."""
@@ -25,14 +22,11 @@ class Trail:
         """Append measured positions (n, d) [m] in the order they were passed."""
         self._points.extend(np.array(positions))
 
-    def back(self, distance: float, times: int = 1) -> NDArray[np.float64]:
-        """Return a position (d,) to go back to from the last one, in a straight line.
+    def back(self, distance: float) -> NDArray[np.float64]:
+        """Return the latest position (d,) at least `distance` metres from the last one.
 
-        The latest position at least `times` x `distance` metres away, or fewer times
-        where the arm did not come from there about straight: between a position and
-        the last one there may be what was touched. Distance as the crow flies: after
-        several contacts in a row the path itself goes to and fro. The farthest position
-        where none is far enough.
+        Distance as the crow flies: after several contacts in a row the path itself goes
+        to and fro. The farthest position where none is far enough.
 
         Raises:
             ValueError: nothing was travelled yet.
@@ -42,18 +36,8 @@ class Trail:
             raise ValueError('no path to go back on')
         points = np.array(self._points)
         away = np.linalg.norm(points - points[-1], axis=1)
-        for n in range(times, 0, -1):
-            far = np.flatnonzero(away >= n * distance)
-            if len(far) and (n == 1 or _bulge(points[far[-1] :]) < STRAIGHT):
-                return np.asarray(points[far[-1]])
-        return np.asarray(points[np.argmax(away)])
-
-
-def _bulge(path: NDArray[np.float64]) -> float:
-    """Return how far a path (n, d) strays from the line between its ends [m]."""
-    chord = path[-1] - path[0]
-    share = np.clip((path - path[0]) @ chord / (chord @ chord), 0.0, 1.0)
-    return float(np.linalg.norm(path - path[0] - share[:, None] * chord, axis=1).max())
+        far = np.flatnonzero(away >= distance)
+        return np.asarray(points[far[-1] if len(far) else np.argmax(away)])
 
 
 def back_off(

@@ -22,7 +22,7 @@ PATIENCE = 4
 """The pause doubles with every further rejection in a row, this many times."""
 
 RETREATS = 4
-"""The way back grows with every contact in a row, up to this many times the first."""
+"""The way back grows with every contact in a row, up to this many times the first, then anew."""
 
 LOST_AFTER = 1.0
 """A segment without a result this long after its expected end counts as lost [s]."""
@@ -177,11 +177,14 @@ class Sequencer:
         return PlanRequest(measured, end, ahead.target, self._velocity)
 
     def _retreat(self) -> NDArray[np.float64] | None:
-        """Return where to go back to; farther after every contact in a row."""
+        """Return where to go back to, for every contact in a row somewhere else.
+
+        A way back may itself be blocked, if the arm did not come from there straight.
+        """
         if not self._retreating:
             return None
-        times = min(self._touches_in_a_row, RETREATS)
-        return self._trail.back(self._planning.trajectory.retreat, times)
+        times = (self._touches_in_a_row - 1) % RETREATS + 1
+        return self._trail.back(times * self._planning.trajectory.retreat)
 
     def _flight(self, stamp_ns: int) -> Flight | None:
         flights = (self._running, self._waiting)
