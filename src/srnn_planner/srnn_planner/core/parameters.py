@@ -94,14 +94,14 @@ class ObstacleParameters(Parameters):
     """The context neurons of obstacles that the planner is told of."""
 
     strength: float = parameter(
-        6.0, minimum=0.0, maximum=1000.0, doc='Inhibition of the neurons in an obstacle.'
+        3.0, minimum=0.0, maximum=1000.0, doc='Inhibition of the neurons in an obstacle.'
     )
     margin: float = parameter(
         0.02, unit='m', minimum=0.0, maximum=1.0,
         doc='Neurons this close to an obstacle are inhibited as those in it.',
     )
     falloff: float = parameter(
-        0.01, unit='m', above=0.0, maximum=1.0,
+        0.006, unit='m', above=0.0, maximum=1.0,
         doc='Width of the Gaussian by which the inhibition fades out beyond the margin.',
     )
 
