@@ -78,17 +78,25 @@ class Kinematics:
         mujoco.mj_rne(self._model, self._data, 0, torque)
         return torque
 
-    def bias(self, q: Array, velocity: Array) -> Array:
-        """Return C(q, v) v + g(q), (7,) [Nm], for joint velocities `velocity` (7,) [rad/s]."""
+    def mass_and_bias(self, q: Array, velocity: Array) -> tuple[Array, Array]:
+        """Return `mass_matrix` (7, 7) and C(q, v) v + g(q), (7,) [Nm], for the price of one.
+
+        Args:
+            q: (7,) joint angles [rad].
+            velocity: (7,) joint velocities v [rad/s].
+
+        """
         data = self._moving
         data.qpos = q
         data.qvel = velocity
         mujoco.mj_kinematics(self._model, data)
         mujoco.mj_comPos(self._model, data)
         mujoco.mj_comVel(self._model, data)
-        torque = np.empty(DOF)
-        mujoco.mj_rne(self._model, data, 0, torque)
-        return torque
+        mass, bias = np.empty((DOF, DOF)), np.empty(DOF)
+        mujoco.mj_makeM(self._model, data)
+        mujoco.mj_fullM(self._model, data, mass)
+        mujoco.mj_rne(self._model, data, 0, bias)
+        return mass, bias
 
     def inverse(self, target: ArrayLike, seed: Array | None = None) -> Array:
         """Return the joint angles nearest to home whose tip is at `target`.

@@ -85,7 +85,9 @@ def test_mass_matrix_is_symmetric_and_positive():
 
 def test_bias_at_rest_is_gravity():
     for q in random_poses(5):
-        np.testing.assert_allclose(KINEMATICS.bias(q, np.zeros(7)), KINEMATICS.gravity(q))
+        mass, bias = KINEMATICS.mass_and_bias(q, np.zeros(7))
+        np.testing.assert_allclose(bias, KINEMATICS.gravity(q))
+        np.testing.assert_array_equal(mass, KINEMATICS.mass_matrix(q))
 
 
 def test_coriolis_torques_turn_no_power_into_energy():
@@ -93,6 +95,6 @@ def test_coriolis_torques_turn_no_power_into_energy():
     rng = np.random.default_rng(8)
     for q in random_poses(5):
         v = rng.normal(size=7)
-        coriolis = KINEMATICS.bias(q, v) - KINEMATICS.gravity(q)
+        coriolis = KINEMATICS.mass_and_bias(q, v)[1] - KINEMATICS.gravity(q)
         rate = finite_difference(KINEMATICS.mass_matrix, q) @ v
         assert v @ coriolis == pytest.approx(v @ rate @ v / 2, abs=1e-6)

@@ -2,12 +2,15 @@
 """What the arm refuses to be told."""
 
 from enum import Enum
+from math import isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lwr_description import DOF, POSITION_MAX, VELOCITY_MAX
 from lwr_sim_bridge.parameters import CommandParameters
+
+_POSITION_MAX, _VELOCITY_MAX = POSITION_MAX.tolist(), VELOCITY_MAX.tolist()
 
 
 class Refusal(Enum):
@@ -51,12 +54,15 @@ class CommandGate:
             return Refusal.MALFORMED
         if angles.shape != (DOF,):
             return Refusal.MALFORMED
-        if not np.isfinite(angles).all():
+        # Seven floats one by one are judged faster than as an array.
+        asked, last = angles.tolist(), self._last.tolist()
+        if not all(map(isfinite, asked)):
             return Refusal.NOT_FINITE
-        if (np.abs(angles) > POSITION_MAX).any():
+        if any(abs(angle) > limit for angle, limit in zip(asked, _POSITION_MAX, strict=True)):
             return Refusal.OUT_OF_RANGE
         elapsed = max(now - self._last_time, self._parameters.period)
-        reach = VELOCITY_MAX * min(elapsed, self._parameters.silence)
-        if (np.abs(angles - self._last) > reach).any():
-            return Refusal.TOO_FAR
+        seconds = min(elapsed, self._parameters.silence)
+        for angle, before, speed in zip(asked, last, _VELOCITY_MAX, strict=True):
+            if abs(angle - before) > speed * seconds:
+                return Refusal.TOO_FAR
         return None

@@ -2,7 +2,6 @@
 """The simulated LWR 4+: takes joint positions, reports what the real arm would report."""
 
 from collections.abc import Mapping
-from math import isfinite
 from types import MappingProxyType
 
 import mujoco
@@ -57,6 +56,8 @@ class SimulatedArm:
         start = self._kinematics.inverse((*scene.start, 0.0))
         self._scene.place(start)
         self._q, self._v = self.data.qpos, self.data.qvel
+        self._warnings = self.data.warning.number
+        self._no_warnings = bytes(self._warnings.nbytes)
         self._gate = CommandGate(parameters.command, start)
         self._delay = CommandDelay(round(parameters.command.delay / TICK))
         self._interpolator = Interpolator(start, parameters.command.time_constant, TICK)
@@ -168,20 +169,18 @@ class SimulatedArm:
         position, velocity, torque = self._sensors.read(
             self._q, self._v, self._torque_sum / ticks
         )
-        mass = self._kinematics.mass_matrix(position)
-        bias = self._kinematics.bias(position, velocity)
+        mass, bias = self._kinematics.mass_and_bias(position, velocity)
         bias += self._friction * velocity
         self._observer.update(mass, velocity, bias, torque, ticks * TICK)
         self._impedance.adapt(mass)
         self._torque_sum[:] = 0.0
 
     def _check(self) -> None:
-        numbers = self.data.warning.number
-        squares = self._q.dot(self._q) + self._v.dot(self._v)
-        if isfinite(squares) and numbers.tobytes() == bytes(numbers.nbytes):
+        # MuJoCo looks for numbers that are not finite, warns and resets before each step.
+        if self._warnings.tobytes() == self._no_warnings:
             return
-        kinds = [kind for kind in range(len(numbers)) if numbers[kind]]
-        names = ', '.join(mujoco.mjtWarning(kind).name for kind in kinds) or 'state not finite'
+        kinds = [kind for kind, number in enumerate(self._warnings) if number]
+        names = ', '.join(mujoco.mjtWarning(kind).name for kind in kinds)
         raise SimulationError(
             f'simulated arm at {self.time:.3f} s: {names}; '
             f'q = {self._q.tolist()}, v = {self._v.tolist()}'
