@@ -59,6 +59,7 @@ def _report(
         'segments': base.segments,
         'seeds': list(seeds),
         'rows': dict(table),
+        'efficiency': table1.efficiencies(trials),
         'laps_local_minus': table1.differences(trials, 'local', 'laps'),
         'paper': {name: asdict(row) for name, row in TABLE_1.items()},
         'trials': {name: list(done) for name, done in trials.items()},
@@ -80,6 +81,13 @@ def _text(
         '100 segments.',
         '',
         table1.as_markdown(table),
+        'Laps over those of the oracle: '
+        + ', '.join(
+            f'{name} {"–" if value is None else format(value, ".2f")}'
+            for name, value in table1.efficiencies(trials).items()
+        )
+        + '.',
+        '',
         'Laps of local minus laps of the other rows, seed by seed:',
         '',
     ]

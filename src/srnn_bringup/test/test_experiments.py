@@ -68,6 +68,16 @@ def test_a_small_table_has_every_row_beside_the_paper(tmp_path):
     assert len((tmp_path / 't/table1.csv').read_text().splitlines()) == 1 + len(report['rows'])
 
 
+def test_efficiency_is_laps_over_those_of_the_oracle():
+    def laps(*counts):
+        return [{'laps': count} for count in counts]
+
+    rows = {'none': laps(1, 2), 'local': laps(9, 12), 'oracle': laps(10, 10)}
+    assert table1.efficiencies(rows) == {'none': 0.15, 'local': 1.05, 'oracle': 1.0}
+    stuck = {'local': laps(3), 'oracle': laps(0)}
+    assert table1.efficiencies(stuck) == {'local': None, 'oracle': None}
+
+
 def test_trials_are_done_with_the_whole_configuration():
     configuration = load(Choices(network='network_paper', signal='global'))
     arm = configuration.arm

@@ -81,6 +81,13 @@ def differences(
     return result
 
 
+def efficiencies(trials: Mapping[str, Sequence[Mapping[str, Any]]]) -> dict[str, float | None]:
+    """Return the laps of every row over those of the oracle; None if that makes no lap."""
+    laps = {name: sum(trial['laps'] for trial in done) for name, done in trials.items()}
+    best = laps['oracle']
+    return {name: count / best if best else None for name, count in laps.items()}
+
+
 def row(trials: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """Return the statistics of one row.
 
