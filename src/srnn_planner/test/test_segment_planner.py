@@ -50,7 +50,7 @@ def test_segments_lead_towards_the_way_point():
 def test_kept_samples_are_averaged():
     plan = planner().plan(request())
     selection = PLANNING.selection
-    share = selection.mode_share * selection.promising * PLANNING.sampling.samples
+    share = selection.mode_share * PLANNING.sampling.samples
     assert plan.samples.shape == (40, PLANNING.sampling.steps, 2)
     assert plan.kept.sum() == round(share)
 
@@ -119,3 +119,21 @@ def test_touches_teach_the_way_round_and_without_learning_they_go_on():
     assert learned
     assert late_without >= 30
     assert late <= late_without // 8
+
+
+def test_a_plan_that_arrives_has_nothing_left_to_go():
+    """To a way point in a shadow of what was learned, the arm goes all the same."""
+    a_planner = planner()
+    weights = a_planner.weights.copy()
+    near = np.linalg.norm(a_planner.neurons.positions - TARGET, axis=1) < 0.25
+    weights[:, near] -= np.where(weights[:, near] > 0.0, 0.3, 0.0)
+    a_planner.use_weights(np.clip(weights, -1.0, 1.0))
+    start = 0.3 * np.array([0.25, 0.0])
+    request = PlanRequest(start, at_rest(start), TARGET, 0.1, reach=0.2)
+
+    def arrivals(reach):
+        plans = [a_planner.plan(replace(request, reach=reach)) for _ in range(30)]
+        ends = np.array([plan.samples[plan.kept].mean(axis=0)[-1] for plan in plans])
+        return int((np.linalg.norm(ends - TARGET, axis=1) <= 0.2).sum())
+
+    assert arrivals(0.2) > arrivals(0.0) + 5

@@ -8,7 +8,13 @@ import pytest
 
 from srnn_config import ParameterError
 from srnn_planner.core.parameters import SelectionParameters
-from srnn_planner.core.selection import mode_seeking, pairwise_angles, select, three_sigma
+from srnn_planner.core.selection import (
+    best_mode,
+    mode_seeking,
+    pairwise_angles,
+    select,
+    three_sigma,
+)
 
 
 def fan(angles, length=1.0):
@@ -49,6 +55,38 @@ def test_mode_seeking_is_not_drawn_to_samples_that_hardly_move(rng):
     assert np.linalg.norm(displacement[kept].mean(axis=0)) > 0.2
 
 
+def straight_paths(angles, length=0.3, steps=10):
+    return np.linspace(0.0, 1.0, steps)[None, :, None] * fan(angles, length)[:, None]
+
+
+def height_lost(paths):
+    """A cost that falls towards positive y."""
+    return -paths[:, -1, 1]
+
+
+def test_the_best_mode_is_the_one_whose_mean_costs_least_not_the_densest(rng):
+    up, down = rng.normal(np.pi / 2, 0.1, 8), rng.normal(-np.pi / 2, 0.02, 32)
+    kept = best_mode(straight_paths(np.concatenate([down, up])), 0.2, height_lost)
+    assert kept.sum() == 8
+    assert kept[32:].all()
+
+
+def test_what_is_judged_is_the_mean_of_a_mode_and_no_other_mode_costs_less(rng):
+    """Two ways round: a mode of both would lead in between, where it costs most."""
+    angles = np.concatenate([rng.normal(0.6, 0.05, 4), rng.normal(-0.6, 0.05, 4)])
+    paths = straight_paths(angles)
+
+    def cost(candidates):
+        return np.exp(-((candidates[:, -1, 1] / 0.05) ** 2))
+
+    kept = best_mode(paths, 0.5, cost)
+    assert kept[:4].all() != kept[4:].all()
+    chosen = cost(paths[kept].mean(axis=0)[None])[0]
+    for reference in range(8):
+        near = np.argsort(np.abs(angles - angles[reference]))[:4]
+        assert chosen <= cost(paths[near].mean(axis=0)[None])[0] + 1e-12
+
+
 @given(seed=st.integers(0, 2**32 - 1))
 def test_selection_does_not_depend_on_the_order_of_samples(seed):
     rng = np.random.default_rng(seed)
@@ -68,10 +106,10 @@ def test_angles_are_symmetric_and_zero_to_themselves(seed, dimensions):
 
 def test_at_least_one_sample_is_always_kept():
     paths = np.zeros((1, 5, 2))
-    for rule in ('three_sigma', 'mode_seeking'):
-        assert select(paths, SelectionParameters(rule=rule)).all()
+    for rule in ('three_sigma', 'mode_seeking', 'best_mode'):
+        assert select(paths, SelectionParameters(rule=rule), lambda p: np.zeros(len(p))).all()
 
 
 def test_unknown_rule_is_refused_naming_the_rules():
-    with pytest.raises(ParameterError, match='three_sigma, mode_seeking'):
+    with pytest.raises(ParameterError, match='three_sigma, mode_seeking, best_mode'):
         SelectionParameters(rule='median')

@@ -134,17 +134,13 @@ class SamplingParameters(Parameters):
 class SelectionParameters(Parameters):
     """Which samples are averaged into the plan."""
 
-    promising: float = parameter(
-        0.5, above=0.0, maximum=1.0,
-        doc='Share of the samples, those that lead on best by what was learned, to choose from.',
-    )
     caution: float = parameter(
         0.3, unit='units', minimum=0.0, maximum=10.0,
-        doc='The worst blockage that a sample meets counts as if it lasted for this long.',
+        doc='best_mode: the worst blockage on a path counts as if it lasted for this long.',
     )
     rule: str = parameter(
-        'mode_seeking', choices=('three_sigma', 'mode_seeking'),
-        doc="The paper's three-sigma rule on directions, or the densest mode of them alone.",
+        'best_mode', choices=('three_sigma', 'mode_seeking', 'best_mode'),
+        doc="The paper's rule on directions, their densest mode, or the mode that costs least.",
     )
     majority: float = parameter(
         0.9, above=0.0, maximum=1.0,
@@ -152,7 +148,7 @@ class SelectionParameters(Parameters):
     )
     mode_share: float = parameter(
         0.2, above=0.0, maximum=1.0,
-        doc='mode_seeking: share of the samples that forms the averaged mode.',
+        doc='mode_seeking, best_mode: share of the samples that forms the averaged mode.',
     )
 
 

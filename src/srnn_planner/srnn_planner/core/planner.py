@@ -3,6 +3,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +13,13 @@ from srnn_planner.core.blockage import Blockage
 from srnn_planner.core.context import ContextPopulation, draw_centres, way_point_population
 from srnn_planner.core.decoding import decode, window
 from srnn_planner.core.encoding import draw_history, spike_probability
+from srnn_planner.core.graze import graze
 from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import (
     ModelParameters,
     PlanningParameters,
     TrajectoryParameters,
 )
-from srnn_planner.core.promise import expected_cost, promising
 from srnn_planner.core.retreat import at_rest, back_off
 from srnn_planner.core.sampling import Draws, SampleInput, thin
 from srnn_planner.core.sampling_kernel import sample_activity
@@ -38,6 +39,7 @@ class PlanRequest:
         target: (d,) active way point [units].
         velocity: execution speed [m/s].
         retreat_to: (d,) free point [m] to back off to first, from rest; None to go on.
+        reach: at this distance from the target it counts as reached [units].
 
     """
 
@@ -46,6 +48,7 @@ class PlanRequest:
     target: NDArray[np.float64]
     velocity: float
     retreat_to: NDArray[np.float64] | None = None
+    reach: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,9 +145,9 @@ class SegmentPlanner:
         kept = np.zeros(len(paths), dtype=bool)
         if valid.mean() < self.planning.sampling.valid_share:
             return Plan(None, paths, kept)
-        candidates = np.flatnonzero(valid)
-        candidates = candidates[self._promising(paths[candidates], request.target)]
-        kept[candidates] = select(paths[candidates], self.planning.selection)
+        kept[valid] = select(
+            paths[valid], self.planning.selection, partial(self._cost, request)
+        )
         average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
         extent = self.model.workspace.half_extent
         trajectory = segment_along(average, request, self.planning.trajectory, extent)
@@ -197,15 +200,14 @@ class SegmentPlanner:
     def _dimensions(self) -> int:
         return self.model.network.dimensions
 
-    def _promising(
-        self, paths: NDArray[np.float64], target: NDArray[np.float64]
-    ) -> NDArray[np.bool_]:
-        selection = self.planning.selection
-        cost = expected_cost(
-            paths, self.neurons, self._goal(target).remaining, self._blockage,
-            self.planning.context.aversion, selection.caution,
-        )
-        return promising(cost, selection)
+    def _cost(self, request: PlanRequest, paths: NDArray[np.float64]) -> NDArray[np.float64]:
+        remaining = self._goal(request.target).remaining
+        left = self.neurons.interpolate(remaining, paths[:, -1])
+        away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
+        left[away <= request.reach] = 0.0
+        caution = self.planning.selection.caution
+        met = graze(paths, self.neurons, self._blockage, caution)
+        return np.asarray(left + self.planning.context.aversion * met)
 
     def _goal(self, target: NDArray[np.float64]) -> Goal:
         key = target.tobytes()

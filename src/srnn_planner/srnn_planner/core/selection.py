@@ -1,18 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sample rejection: only movements of one kind may be averaged."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
 from srnn_planner.core.parameters import SelectionParameters
 
+Cost = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+"""Expected cost (S,) of paths (S, T, d)."""
 
-def select(paths: NDArray[np.float64], parameters: SelectionParameters) -> NDArray[np.bool_]:
+
+def select(
+    paths: NDArray[np.float64], parameters: SelectionParameters, cost: Cost
+) -> NDArray[np.bool_]:
     """Return the mask (S,) of the samples (S, T, d) to average, by the rule of that name."""
     displacement = paths[:, -1] - paths[:, 0]
     if parameters.rule == 'three_sigma':
         return three_sigma(displacement, parameters.majority)
-    return mode_seeking(displacement, parameters.mode_share)
+    if parameters.rule == 'mode_seeking':
+        return mode_seeking(displacement, parameters.mode_share)
+    return best_mode(paths, parameters.mode_share, cost)
 
 
 def three_sigma(displacement: NDArray[np.float64], majority: float) -> NDArray[np.bool_]:
@@ -50,7 +59,27 @@ def mode_seeking(displacement: NDArray[np.float64], share: float) -> NDArray[np.
     angle = pairwise_angles(displacement)
     reference = int(np.argmin(_closest(angle, share).mean(axis=1)))
     kept = np.zeros(len(displacement), dtype=bool)
-    kept[np.argsort(angle[reference], kind='stable')[: _count(len(displacement), share)]] = True
+    kept[_neighbours(angle, share)[reference]] = True
+    return kept
+
+
+def best_mode(
+    paths: NDArray[np.float64], share: float, cost: Cost
+) -> NDArray[np.bool_]:
+    """Keep the mode whose mean costs least: some sample and its nearest `share`.
+
+    It is the mean that the arm will follow. Where nothing is blocked it leads on most.
+
+    Args:
+        paths: (S, T, d) samples.
+        share: share of the population that forms a mode.
+        cost: what to expect of a path.
+
+    """
+    modes = _neighbours(pairwise_angles(paths[:, -1] - paths[:, 0]), share)
+    best = int(np.argmin(cost(paths[modes].mean(axis=1))))
+    kept = np.zeros(len(paths), dtype=bool)
+    kept[modes[best]] = True
     return kept
 
 
@@ -61,6 +90,11 @@ def pairwise_angles(displacement: NDArray[np.float64]) -> NDArray[np.float64]:
     cosine = np.clip(unit @ unit.T, -1.0, 1.0)
     np.fill_diagonal(cosine, 1.0)
     return np.asarray(np.arccos(cosine))
+
+
+def _neighbours(angle: NDArray[np.float64], share: float) -> NDArray[np.int64]:
+    """Return the nearest `share` of the samples of each one (S, n), itself among them."""
+    return np.argsort(angle, axis=1, kind='stable')[:, : _count(len(angle), share)]
 
 
 def _closest(distance: NDArray[np.float64], share: float) -> NDArray[np.float64]:

@@ -141,7 +141,8 @@ class Sequencer:
         if self._running is not None:
             return self._onward(self._running, now)
         return PlanRequest(
-            self._tip, at_rest(self._tip), self.task.target, self._velocity, self._retreat()
+            self._tip, at_rest(self._tip), self.task.target, self._velocity,
+            self._retreat(), self.task.reach_radius,
         )
 
     def sent(self, stamp_ns: int, trajectory: Trajectory, seconds: float, now: float) -> None:
@@ -174,7 +175,9 @@ class Sequencer:
         columns = [np.interp(elapsed, plan.times, column) for column in plan.positions.T]
         ahead = self.task.after(self._workspace.to_units(end.position))
         measured = end.position + self._tip - np.array(columns)
-        return PlanRequest(measured, end, ahead.target, self._velocity)
+        return PlanRequest(
+            measured, end, ahead.target, self._velocity, reach=ahead.reach_radius
+        )
 
     def _retreat(self) -> NDArray[np.float64] | None:
         """Return where to go back to, for every contact in a row somewhere else.

@@ -1,72 +1,41 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which samples lead on, and what is blocked."""
+"""What is blocked, and how much of it a path meets."""
 
-from dataclasses import replace
-
-from hypothesis import given
-from hypothesis import strategies as st
 import numpy as np
 import pytest
 
 from srnn_planner.core.blockage import Blockage
-from srnn_planner.core.parameters import NetworkParameters, SelectionParameters
-from srnn_planner.core.promise import expected_cost, promising
+from srnn_planner.core.graze import graze
+from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.state_neurons import StateNeurons
-from srnn_planner.core.ways import Ways
 
 NEURONS = StateNeurons(NetworkParameters())
 PRIOR = NEURONS.prior_weights
 FREE = np.zeros(len(NEURONS.positions))
-TARGET = np.array([0.6, 0.0])
-REMAINING = Ways(NEURONS, FREE).remaining(PRIOR, TARGET, 10.0)
+EVERYWHERE = np.ones_like(FREE)
 
 
 def straight(start, end, steps=20):
     return np.linspace(start, end, steps)
 
 
-def cost(paths, blockage=FREE, aversion=10.0, caution=0.2):
-    return expected_cost(np.array(paths), NEURONS, REMAINING, blockage, aversion, caution)
+def test_where_all_is_free_nothing_is_grazed():
+    paths = np.array([straight((-0.5, 0.0), (0.5, 0.3)), straight((0.0, 0.0), (0.0, 0.0))])
+    assert not graze(paths, NEURONS, FREE, 0.3).any()
 
 
-def test_where_all_is_free_the_cost_is_the_way_that_remains():
-    paths = [straight((-0.5, 0.0), (0.0, 0.0)), straight((-0.5, 0.0), (-0.5, 0.4))]
-    ends = np.array([path[-1] for path in paths])
-    assert cost(paths) == pytest.approx(NEURONS.interpolate(REMAINING, ends))
-    assert cost(paths)[0] < cost(paths)[1]
+def test_in_even_blockage_its_length_and_the_caution_count():
+    paths = np.array([straight((-0.5, 0.0), (0.1, 0.0)), straight((0.1, 0.0), (0.1, 0.0))])
+    assert graze(paths, NEURONS, 0.5 * EVERYWHERE, 0.3) == pytest.approx([0.45, 0.15])
 
 
-def test_a_way_through_blockage_costs_its_length_and_the_worst_of_it():
-    everywhere = np.full_like(FREE, 0.5)
-    path = straight((-0.5, 0.0), (0.1, 0.0))
-    extra = cost([path], everywhere, aversion=8.0, caution=0.3) - cost([path])
-    assert extra == pytest.approx(8.0 * (0.6 * 0.5 + 0.3 * 0.5))
-
-
-def test_round_a_blocked_place_is_better_than_through_it_and_than_staying_before_it():
+def test_round_a_blocked_place_nothing_is_met_and_through_it_most():
     blockage = np.exp(-0.5 * (NEURONS.positions**2).sum(axis=1) / 0.15**2)
-    through = straight((-0.6, 0.0), (0.5, 0.0), 21)
-    bend = 0.6 * np.sin(np.linspace(0.0, np.pi, 21))
-    around = through + np.column_stack([np.zeros(21), bend])
-    stay = np.repeat([[-0.6, 0.0]], 21, axis=0)
-    costs = cost([around, through, stay], blockage)
-    assert costs[0] < costs[2] < costs[1]
-
-
-@given(
-    costs=st.lists(st.floats(-5.0, 5.0), min_size=1, max_size=60),
-    share=st.floats(0.01, 1.0),
-)
-def test_the_cheapest_share_is_kept_ties_and_all(costs, share):
-    costs = np.array(costs)
-    kept = promising(costs, replace(SelectionParameters(), promising=share))
-    assert kept.sum() >= max(1, round(share * len(costs)))
-    assert costs[kept].max() < min(costs[~kept], default=np.inf)
-    assert len(np.unique(costs)) < len(costs) or kept.sum() == max(1, round(share * len(costs)))
-
-
-def test_the_whole_population_is_kept_by_the_share_of_the_paper():
-    assert promising(np.arange(40.0), replace(SelectionParameters(), promising=1.0)).all()
+    through = straight((-0.6, 0.0), (0.6, 0.0), 21)
+    bend = np.column_stack([np.zeros(21), np.sin(np.linspace(0.0, np.pi, 21))])
+    paths = through + np.array([0.0, 0.3, 0.9])[:, None, None] * bend
+    centre, edge, clear = graze(paths, NEURONS, blockage, 0.2)
+    assert centre > 2.0 * edge > 20.0 * clear
 
 
 def test_blockage_is_the_root_mean_square_loss_of_what_excited_a_neuron():

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How much of what is blocked a path meets."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core.state_neurons import StateNeurons
+
+
+def graze(
+    paths: NDArray[np.float64],
+    neurons: StateNeurons,
+    blockage: NDArray[np.float64],
+    caution: float,
+) -> NDArray[np.float64]:
+    """Return the length of paths (S, T, d), weighted by the blockage on them.
+
+    Args:
+        paths: (S, T, d) [units].
+        neurons: the grid on which the next is given.
+        blockage: (K,) of each neuron.
+        caution: the worst blockage counts as if it lasted for this long [units].
+
+    Returns:
+        (S,) [units], 0 where all is free.
+
+    """
+    samples, steps, dimensions = paths.shape
+    met = neurons.interpolate(blockage, paths.reshape(-1, dimensions)).reshape(samples, steps)
+    travelled = np.linalg.norm(np.diff(paths, axis=1), axis=2)
+    return np.asarray((travelled * met[:, 1:]).sum(axis=1) + caution * met.max(axis=1))
