@@ -7,7 +7,7 @@ from typing import Any
 
 from srnn_experiments.estimates import share_estimate, share_text
 
-HELD_OUT = 100_000
+HELD_OUT = 200_000
 """Seeds of scenes from here on were never used to choose a parameter."""
 
 

@@ -121,19 +121,30 @@ def test_touches_teach_the_way_round_and_without_learning_they_go_on():
     assert late <= late_without // 8
 
 
+def shadow(a_planner, loss):
+    """Weights that have lost `loss` around the way point."""
+    weights = a_planner.weights.copy()
+    near = np.linalg.norm(a_planner.neurons.positions - TARGET, axis=1) < 0.25
+    weights[:, near] -= np.where(weights[:, near] > 0.0, loss, 0.0)
+    return np.clip(weights, -1.0, 1.0)
+
+
+def arrivals(a_planner, **more):
+    """Return how many of 30 plans end within 0.2 units of the way point."""
+    asked = request(0.3 * np.array([0.25, 0.0]), **more)
+    plans = [a_planner.plan(asked) for _ in range(30)]
+    ends = np.array([plan.samples[plan.kept].mean(axis=0)[-1] for plan in plans])
+    return int((np.linalg.norm(ends - TARGET, axis=1) <= 0.2).sum())
+
+
 def test_a_plan_that_arrives_has_nothing_left_to_go():
     """To a way point in a shadow of what was learned, the arm goes all the same."""
     a_planner = planner()
-    weights = a_planner.weights.copy()
-    near = np.linalg.norm(a_planner.neurons.positions - TARGET, axis=1) < 0.25
-    weights[:, near] -= np.where(weights[:, near] > 0.0, 0.3, 0.0)
-    a_planner.use_weights(np.clip(weights, -1.0, 1.0))
-    start = 0.3 * np.array([0.25, 0.0])
-    request = PlanRequest(start, at_rest(start), TARGET, 0.1, reach=0.2)
+    a_planner.use_weights(shadow(a_planner, 0.3))
+    assert arrivals(a_planner, reach=0.2) > arrivals(a_planner) + 5
 
-    def arrivals(reach):
-        plans = [a_planner.plan(replace(request, reach=reach)) for _ in range(30)]
-        ends = np.array([plan.samples[plan.kept].mean(axis=0)[-1] for plan in plans])
-        return int((np.linalg.norm(ends - TARGET, axis=1) <= 0.2).sum())
 
-    assert arrivals(0.2) > arrivals(0.0) + 5
+def test_without_patience_the_arm_dares_more():
+    a_planner = planner()
+    a_planner.use_weights(shadow(a_planner, 0.3))
+    assert arrivals(a_planner, patience=0.1) > arrivals(a_planner, patience=1.0) + 5

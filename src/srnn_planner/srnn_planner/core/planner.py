@@ -40,6 +40,7 @@ class PlanRequest:
         velocity: execution speed [m/s].
         retreat_to: (d,) free point [m] to back off to first, from rest; None to go on.
         reach: at this distance from the target it counts as reached [units].
+        patience: share of the aversion that is left, from 1 down to 0.
 
     """
 
@@ -49,6 +50,7 @@ class PlanRequest:
     velocity: float
     retreat_to: NDArray[np.float64] | None = None
     reach: float = 0.0
+    patience: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,9 +207,8 @@ class SegmentPlanner:
         left = self.neurons.interpolate(remaining, paths[:, -1])
         away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
         left[away <= request.reach] = 0.0
-        caution = self.planning.selection.caution
-        met = graze(paths, self.neurons, self._blockage, caution)
-        return np.asarray(left + self.planning.context.aversion * met)
+        met = graze(paths, self.neurons, self._blockage, self.planning.selection.caution)
+        return np.asarray(left + request.patience * self.planning.context.aversion * met)
 
     def _goal(self, target: NDArray[np.float64]) -> Goal:
         key = target.tobytes()
