@@ -26,7 +26,7 @@ from srnn_experiments.errors import ExperimentError
 from srnn_planner.core.errors import SrnnError
 
 SEGMENTS = 150
-"""About two minutes of the standard scene."""
+"""About three minutes of the standard scene."""
 
 SEGMENTS_MAX = 100_000
 
@@ -105,7 +105,7 @@ def _add_demo(parser: Parser) -> None:
     _add_graph(parser)
     parser.add_argument(
         '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
-        help='segments to execute (default: %(default)s, about two minutes)',
+        help='segments to execute (default: %(default)s, about three minutes)',
     )
     parser.add_argument('--json', type=new_file, metavar='FILE', help='figures to write')
     parser.add_argument(
