@@ -2,6 +2,7 @@
 """A point in place of the arm: it does what it is told, and stops at obstacles."""
 
 from dataclasses import replace
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +47,7 @@ class PointWorld:
         self._rng = rng
         self._obstacles = scene.obstacles
         self._present: list[Obstacle] = []
+        self._roomy: tuple[NDArray[np.float64], float] | None = None
         self._segment = 0
         self._radius = mount.tool_radius
         self._cycles = 0
@@ -100,13 +102,15 @@ class PointWorld:
         """
         self._segment = number
         self._present = [o for o in self._present if o.present(number)]
+        self._roomy = None
         self._settle()
 
     def _settle(self) -> None:
         for obstacle in self._obstacles:
             due = obstacle.present(self._segment) and obstacle not in self._present
-            if due and self._free(self._tip[:2], [obstacle]):
+            if due and clearance(self._tip[None, :2], [obstacle])[0] > self._radius:
                 self._present.append(obstacle)
+                self._roomy = None
 
     def _move(self) -> bool:
         """Go where the reference is, or stay before an obstacle; tell if that is noticed."""
@@ -116,11 +120,18 @@ class PointWorld:
         kick = NOISE * np.sqrt(1.0 - keep**2)
         self._deviation = keep * self._deviation + kick * self._rng.standard_normal(2)
         wanted = reference.position[:2] + self._deviation
-        if self._free(wanted, self._present):
+        if self._free(wanted):
             self._tip[:2] = wanted
             return False
         pressed = float(np.linalg.norm(wanted - self._tip[:2]))
         return reference.running is not None and pressed > NOTICED
 
-    def _free(self, point: NDArray[np.float64], obstacles: list[Obstacle]) -> bool:
-        return bool(clearance(point[None], obstacles)[0] > self._radius)
+    def _free(self, point: NDArray[np.float64]) -> bool:
+        """Tell whether the tool fits; no nearer look within what was free around the last one."""
+        if self._roomy is not None:
+            centre, room = self._roomy
+            if hypot(point[0] - centre[0], point[1] - centre[1]) < room:
+                return True
+        room = float(clearance(point[None], self._present)[0]) - self._radius
+        self._roomy = point.copy(), room
+        return room > 0.0
