@@ -144,7 +144,15 @@ def test_a_plan_that_arrives_has_nothing_left_to_go():
     assert arrivals(a_planner, reach=0.2) > arrivals(a_planner) + 5
 
 
-def test_without_patience_the_arm_dares_more():
+def test_who_is_not_let_past_the_near_end_of_a_wall_tries_the_far_one():
     a_planner = planner()
-    a_planner.use_weights(shadow(a_planner, 0.3))
-    assert arrivals(a_planner, patience=0.1) > arrivals(a_planner, patience=1.0) + 5
+    x, y = a_planner.neurons.positions.T
+    weights = a_planner.weights.copy()
+    weights[:, (np.abs(x - 0.3) < 0.2) & (y > -0.5) & (y < 0.3)] = -1.0
+    a_planner.use_weights(weights)
+    before, near = 0.3 * np.array([[0.0, -0.1], [0.0, 0.4]])
+    first = a_planner.plan(request(before)).trajectory.end.position
+    for _ in range(20):
+        a_planner.plan(request(near))
+    later = a_planner.plan(request(before)).trajectory.end.position
+    assert first[1] > before[1] > later[1]

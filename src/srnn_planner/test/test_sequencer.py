@@ -7,11 +7,9 @@ import pytest
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_planner.core.parameters import PlanningParameters
 from srnn_planner.core.sequencer import (
-    HALVING,
     LOST_AFTER,
     RETREATS,
     RETRY,
-    STRANDED,
     Sequencer,
 )
 from srnn_planner.core.task import WaypointTask
@@ -139,18 +137,6 @@ def test_every_contact_in_a_row_sends_the_arm_farther_back_then_anew(sequencer):
     sequencer.executed(90, came)
     sequencer.result(result(90, ResultCode.DONE), 51.0)
     assert touch(sequencer, 91, came, 52.0) == pytest.approx(retreat, abs=0.0011)
-
-
-def test_who_gets_nowhere_loses_patience_until_a_way_point_is_reached(sequencer):
-    nowhere = np.zeros((5, 2))
-    for number in range(STRANDED):
-        assert sequencer.request(0.0).patience == 1.0
-        sequencer.executed(number, nowhere)
-    for number in range(HALVING):
-        sequencer.executed(STRANDED + number, nowhere)
-    assert sequencer.request(0.0).patience == pytest.approx(0.5)
-    assert sequencer.executed(90, np.array([0.3 * TOUR[0]]))
-    assert sequencer.request(0.0).patience == 1.0
 
 
 def test_contact_drops_the_segment_that_was_waiting(sequencer):

@@ -79,6 +79,10 @@ class ContextParameters(Parameters):
         6.0, minimum=0.0, maximum=1000.0,
         doc='A step whose synapse has lost 1 counts as 1 + this many; 0: nothing is avoided.',
     )
+    fatigue: float = parameter(
+        8.0, minimum=0.0, maximum=1000.0,
+        doc='A step from where the arm was before, on this way, counts as this many more a visit.',
+    )
     spike_probability_start: float = parameter(
         0.5, minimum=0.0, maximum=1.0,
         doc='Probability that a context neuron spikes in the first step of a segment.',

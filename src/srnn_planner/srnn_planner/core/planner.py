@@ -13,6 +13,7 @@ from srnn_planner.core.blockage import Blockage
 from srnn_planner.core.context import ContextPopulation, draw_centres, way_point_population
 from srnn_planner.core.decoding import decode, window
 from srnn_planner.core.encoding import draw_history, spike_probability
+from srnn_planner.core.fatigue import Fatigue
 from srnn_planner.core.graze import graze
 from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import (
@@ -40,7 +41,6 @@ class PlanRequest:
         velocity: execution speed [m/s].
         retreat_to: (d,) free point [m] to back off to first, from rest; None to go on.
         reach: at this distance from the target it counts as reached [units].
-        patience: share of the aversion that is left, from 1 down to 0.
 
     """
 
@@ -50,7 +50,6 @@ class PlanRequest:
     velocity: float
     retreat_to: NDArray[np.float64] | None = None
     reach: float = 0.0
-    patience: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,6 +115,7 @@ class SegmentPlanner:
         self._ways = Ways(self.neurons, self._bias)
         self._belief = Blockage(self.neurons, self._bias)
         self._blockage = self._belief.of(self.weights)
+        self._fatigue = Fatigue(self.neurons)
         self._centres: dict[bytes, NDArray[np.float64]] = {}
         self._goals: dict[bytes, Goal] = {}
 
@@ -127,6 +127,7 @@ class SegmentPlanner:
         self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
         self._goals.clear()
         self._centres.clear()
+        self._fatigue = Fatigue(self.neurons)
         self._rng, self._uniform_rng = kept
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
@@ -143,7 +144,10 @@ class SegmentPlanner:
     def plan(self, request: PlanRequest) -> Plan:
         """Plan one segment."""
         origin = request.measured if request.retreat_to is None else request.retreat_to
-        paths, valid = self.sample(self.model.workspace.to_units(origin), request.target)
+        position = self.model.workspace.to_units(origin)
+        self._fatigue.visit(position, request.target)
+        self._goals.clear()
+        paths, valid = self.sample(position, request.target)
         kept = np.zeros(len(paths), dtype=bool)
         if valid.mean() < self.planning.sampling.valid_share:
             return Plan(None, paths, kept)
@@ -208,7 +212,7 @@ class SegmentPlanner:
         away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
         left[away <= request.reach] = 0.0
         met = graze(paths, self.neurons, self._blockage, self.planning.selection.caution)
-        return np.asarray(left + request.patience * self.planning.context.aversion * met)
+        return np.asarray(left + self.planning.context.aversion * met)
 
     def _goal(self, target: NDArray[np.float64]) -> Goal:
         key = target.tobytes()
@@ -216,7 +220,10 @@ class SegmentPlanner:
         if key not in self._centres:
             self._centres[key] = draw_centres(target, parameters, self._rng)
         if key not in self._goals:
-            remaining = self._ways.remaining(self.weights, target, parameters.aversion)
+            remaining = self._ways.remaining(
+                self.weights, target, parameters.aversion,
+                parameters.fatigue * self._fatigue.visits,
+            )
             context = way_point_population(
                 self._centres[key], self.neurons.positions, self.planning.sampling.steps,
                 parameters, self._ways.detour(remaining, target),

@@ -24,11 +24,6 @@ PATIENCE = 4
 RETREATS = 4
 """The way back grows with every contact in a row, up to this many times the first, then anew."""
 
-STRANDED = 20
-"""After this many segments without a way point, patience halves with every `HALVING` more."""
-
-HALVING = 5
-
 LOST_AFTER = 1.0
 """A segment without a result this long after its expected end counts as lost [s]."""
 
@@ -89,7 +84,6 @@ class Sequencer:
         self._executed_stamp = self._learned_stamp = 0
         self._retreating = False
         self._touches_in_a_row = 0
-        self._since_reached = 0
         self._refused_in_a_row = 0
         self._not_before = 0.0
 
@@ -109,9 +103,7 @@ class Sequencer:
         self._end_wait_for_learning()
         before = self.task
         self.task = before.after(self._workspace.to_units(positions[-1]))
-        reached = self.task is not before
-        self._since_reached = 0 if reached else self._since_reached + 1
-        return reached
+        return self.task is not before
 
     def learned(self, stamp_ns: int) -> None:
         """Take in that the adapter is through with a segment."""
@@ -150,7 +142,7 @@ class Sequencer:
             return self._onward(self._running, now)
         return PlanRequest(
             self._tip, at_rest(self._tip), self.task.target, self._velocity,
-            self._retreat(), self.task.reach_radius, self._patience,
+            self._retreat(), self.task.reach_radius,
         )
 
     def sent(self, stamp_ns: int, trajectory: Trajectory, seconds: float, now: float) -> None:
@@ -184,14 +176,8 @@ class Sequencer:
         ahead = self.task.after(self._workspace.to_units(end.position))
         measured = end.position + self._tip - np.array(columns)
         return PlanRequest(
-            measured, end, ahead.target, self._velocity,
-            reach=ahead.reach_radius, patience=self._patience,
+            measured, end, ahead.target, self._velocity, reach=ahead.reach_radius
         )
-
-    @property
-    def _patience(self) -> float:
-        """Share of the aversion that is left: who gets nowhere dares more."""
-        return float(0.5 ** (max(self._since_reached - STRANDED, 0) / HALVING))
 
     def _retreat(self) -> NDArray[np.float64] | None:
         """Return where to go back to, for every contact in a row somewhere else.

@@ -35,7 +35,11 @@ class Ways:
         self._reach = 1.5 * spacing
 
     def remaining(
-        self, weights: NDArray[np.float32], target: NDArray[np.float64], aversion: float
+        self,
+        weights: NDArray[np.float32],
+        target: NDArray[np.float64],
+        aversion: float,
+        fatigue: NDArray[np.float64] | float = 0.0,
     ) -> NDArray[np.float64]:
         """Return the length of the way from each neuron to the target.
 
@@ -43,6 +47,7 @@ class Ways:
             weights: (K, K) recurrent weights w[pre, post].
             target: (d,) [units].
             aversion: a step whose synapse has lost 1 counts as 1 + aversion steps.
+            fatigue: (K,) or one number for all: a step from there counts as this many more.
 
         Returns:
             (K,) [units].
@@ -51,7 +56,8 @@ class Ways:
         change = self._neurons.prior_weights - weights - self._inhibition
         around = self._blockage.around(self._blockage.of(weights))
         lost = np.clip(change[self._pre, self._post], 0.0, 2.0) + around[self._post]
-        return self._distances(self._length * (1.0 + aversion * lost), target)
+        tired = np.broadcast_to(fatigue, len(around))[self._pre]
+        return self._distances(self._length * (1.0 + aversion * lost + tired), target)
 
     def detour(
         self, remaining: NDArray[np.float64], target: NDArray[np.float64]
