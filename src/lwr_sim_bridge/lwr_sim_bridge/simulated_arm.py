@@ -8,14 +8,13 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lwr_description import DOF, Kinematics, Mount
+from lwr_description import Kinematics, Mount
+from lwr_description.handle import Handle
 from lwr_sim_bridge.command_delay import CommandDelay
 from lwr_sim_bridge.command_gate import CommandGate, Refusal
 from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
+from lwr_sim_bridge.controller_kernel import Controller
 from lwr_sim_bridge.errors import SimulationError
-from lwr_sim_bridge.impedance import JointImpedance
-from lwr_sim_bridge.interpolator import Interpolator
-from lwr_sim_bridge.momentum_observer import MomentumObserver
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.scene_model import SceneModel
 from lwr_sim_bridge.sensors import Sensors
@@ -48,7 +47,6 @@ class SimulatedArm:
             UnreachableError: the arm cannot reach the start.
 
         """
-        self._parameters = parameters
         self._kinematics = Kinematics(mount)
         self._scene = SceneModel(mount, parameters, scene.obstacles)
         self.model, self.data = self._scene.model, self._scene.data
@@ -60,21 +58,15 @@ class SimulatedArm:
         self._no_warnings = bytes(self._warnings.nbytes)
         self._gate = CommandGate(parameters.command, start)
         self._delay = CommandDelay(round(parameters.command.delay / TICK))
-        self._interpolator = Interpolator(start, parameters.command.time_constant, TICK)
-        self._impedance = JointImpedance(parameters.impedance)
+        plant = Handle.of(self.model, self.data)
+        self._controller = Controller(
+            parameters, self._kinematics, plant, self.model.dof_damping, TICK
+        )
+        self._ticks_per_estimate = parameters.observer.ticks
         self._sensors = Sensors(scene.noise, parameters.noise, rng)
         self._truth = ContactTruth(self.model, self.data, self._scene.tool)
-        self._start_observer()
         self._ticks = 0
         self.set_segment(0)
-
-    def _start_observer(self) -> None:
-        mass = self._kinematics.mass_matrix(self._q)
-        self._impedance.adapt(mass)
-        self._observer = MomentumObserver(self._parameters.observer.gain, mass, np.zeros(DOF))
-        self._friction = self.model.dof_damping.copy()
-        self._torque = self._kinematics.gravity(self._q)
-        self._torque_sum = np.zeros(DOF)
 
     @property
     def time(self) -> float:
@@ -137,43 +129,27 @@ class SimulatedArm:
             SimulationError: the simulator has warned or its state is not finite.
 
         """
-        desired = self._interpolator
         arrived = self._delay.due()
         if arrived is not None:
-            desired.command(arrived)
-        desired.step()
-        gravity = self._kinematics.gravity(self._q)
-        self._torque = self._impedance.torque(
-            self._q, self._v, desired.position, desired.velocity, gravity
-        )
-        self.data.ctrl = self._torque
+            self._controller.head_for(arrived)
+        self._controller.step()
+        self.data.ctrl = self._controller.torque
         mujoco.mj_step(self.model, self.data)
         self._ticks += 1
         self._check()
         self._truth.update()
         self._scene.settle()
-        self._torque_sum += self._torque
-        if self._ticks % self._parameters.observer.ticks == 0:
-            self._observe()
+        if self._ticks % self._ticks_per_estimate == 0:
+            self._controller.observe(self._sensors.noise())
 
     def sample(self, stamp_ns: int) -> JointSample:
         """Return what the arm measures now, noise included, stamped `stamp_ns` [ns].
 
         The external torque is the arm's own estimate: it knows nothing of the true contacts.
         """
-        position, velocity, torque = self._sensors.read(self._q, self._v, self._torque)
-        return JointSample(stamp_ns, position, velocity, torque, self._observer.residual.copy())
-
-    def _observe(self) -> None:
-        ticks = self._parameters.observer.ticks
-        position, velocity, torque = self._sensors.read(
-            self._q, self._v, self._torque_sum / ticks
-        )
-        mass, bias = self._kinematics.mass_and_bias(position, velocity)
-        bias += self._friction * velocity
-        self._observer.update(mass, velocity, bias, torque, ticks * TICK)
-        self._impedance.adapt(mass)
-        self._torque_sum[:] = 0.0
+        controller = self._controller
+        position, velocity, torque = self._sensors.read(self._q, self._v, controller.torque)
+        return JointSample(stamp_ns, position, velocity, torque, controller.residual.copy())
 
     def _check(self) -> None:
         # MuJoCo looks for numbers that are not finite, warns and resets before each step.
