@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import Kinematics
-from lwr_tracking.core.contact_observer import ContactObserver, Touch, tip_force
+from lwr_description import DOF, Kinematics
+from lwr_tracking.core.contact_observer import ContactObserver, Touch
 from lwr_tracking.core.counters import Counters
 from lwr_tracking.core.errors import ClockError
 from lwr_tracking.core.execution import Execution, Finished
@@ -17,6 +17,7 @@ from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.segment_gate import Admission, Join, judge
+from lwr_tracking.core.tip_estimate_kernel import tip_and_force
 from lwr_tracking.core.tracking_law import TrackingLaw
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.result import ResultCode, SegmentResult
@@ -66,6 +67,8 @@ class Tracker:
         self._now: float | None = None
         self._last_stamp_ns: int | None = None
         self._finished: list[Finished] = []
+        # Compiled by the first call, which must not be while the arm moves.
+        tip_and_force(kinematics, kinematics.home, np.zeros(DOF))
 
     @property
     def reference(self) -> Reference | None:
@@ -124,13 +127,13 @@ class Tracker:
         if not _usable(sample):
             self._fault(Condition.BAD_SAMPLE)
             return self._answer()
-        self.tip, jacobian = self._kinematics.tip_and_jacobian(sample.position)
+        self.tip, force = tip_and_force(self._kinematics, sample.position, sample.external_torque)
         execution = self._execution or self._start(sample)
         if self._diverged(sample):
             self._fault(Condition.DIVERGED)
             self._law.follow(sample.position, dt)
             return self._answer()
-        self._advance(execution, dt, tip_force(jacobian, sample.external_torque))
+        self._advance(execution, dt, force)
         self._law.step(execution.reference.position, dt, settle=not self.latched)
         return self._answer()
 

@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 
 from lwr_description import POSITION_MAX, VELOCITY_MAX, Kinematics
 from lwr_tracking.core.parameters import LawParameters, LimitParameters
-from lwr_tracking.core.spd_solve import solve_spd3
+from lwr_tracking.core.resolved_rate import Bounds
+from lwr_tracking.core.resolved_rate_kernel import step
 
 Array = NDArray[np.float64]
 
@@ -33,9 +34,14 @@ class TrackingLaw:
         self.correction = np.zeros(3)
         self._law = law
         self._kinematics = kinematics
-        self._position_max = POSITION_MAX - limits.position_margin
-        self._velocity_max = VELOCITY_MAX * limits.velocity_share
-        self._damping = law.damping**2 * np.eye(3)
+        self._bounds = Bounds(
+            POSITION_MAX - limits.position_margin,
+            VELOCITY_MAX * limits.velocity_share,
+            law.tip_speed,
+            law.damping**2,
+        )
+        # Compiled by the first call, which must not be while the arm moves.
+        self.step(np.zeros(3), 0.0)
 
     def start(self, position: Array) -> None:
         """Command the measured joint angles (7,) [rad], without correction."""
@@ -44,7 +50,7 @@ class TrackingLaw:
 
     def follow(self, position: Array, dt: float) -> None:
         """Let the command approach the measured joint angles (7,) [rad] within `dt` [s]."""
-        reach = self._velocity_max * dt
+        reach = self._bounds.velocity * dt
         self.command = self.command + np.clip(position - self.command, -reach, reach)
 
     def correct(self, error: Array, dt: float) -> None:
@@ -63,27 +69,7 @@ class TrackingLaw:
             settle: draw the joints home as well.
 
         """
-        tip, jacobian = self._kinematics.tip_and_jacobian(self.command)
-        wanted = self._bounded(target + self.correction - tip, self._law.tip_speed * dt)
-        rate = self._law.posture_gain * dt if settle else 0.0
-        posture = (self._kinematics.home - self.command) * rate
-        gram = jacobian.dot(jacobian.T) + self._damping
-        move = posture + jacobian.T.dot(solve_spd3(gram, wanted - jacobian.dot(posture)))
-        # One factor for all joints keeps the direction of the tip.
-        excess = max(map(abs, (move / self._velocity_max).tolist()))
-        if excess > dt:
-            move *= dt / excess
-        self.command = self._within_limits(self.command + move)
+        draw = self._law.posture_gain * dt if settle else 0.0
+        target = target + self.correction
+        self.command = step(self._kinematics, self._bounds, self.command, target, dt, draw)
         return self.command
-
-    def _within_limits(self, command: Array) -> Array:
-        # A command that starts outside the limits must not jump back inside.
-        high = np.maximum(self._position_max, self.command)
-        low = np.minimum(-self._position_max, self.command)
-        within: Array = np.minimum(np.maximum(command, low), high)
-        return within
-
-    @staticmethod
-    def _bounded(vector: Array, length: float) -> Array:
-        size = float(vector.dot(vector)) ** 0.5
-        return vector if size <= length else vector * (length / size)
