@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """MuJoCo's C functions for code that numba compiles; every pointer is an address.
 
-Compiled code finds them by name, so that it can be kept in numba's cache. An error of MuJoCo
-that Python would see as an exception ends the process: only functions without any are here.
+Compiled code finds them by name, so that it can be kept in numba's cache. Warnings are
+counted in `mjData`; an error, which Python would see as an exception, ends the process.
 """
 
 from pathlib import Path
@@ -14,6 +14,7 @@ from numba.types import ExternalFunction, int32, intp, void
 # The file that the Python package has loaded already; this makes its names known.
 load_library_permanently(str(next(Path(mujoco.__file__).parent.glob('libmujoco*'))))
 
+mj_step = ExternalFunction('mj_step', void(intp, intp))
 mj_kinematics = ExternalFunction('mj_kinematics', void(intp, intp))
 mj_comPos = ExternalFunction('mj_comPos', void(intp, intp))  # noqa: N816
 mj_comVel = ExternalFunction('mj_comVel', void(intp, intp))  # noqa: N816

@@ -22,15 +22,15 @@ class Sensors:
         self._deviations = parameters.scale * np.repeat(deviations, DOF).reshape(3, DOF)
         self._rng = rng
 
-    def noise(self) -> Array:
-        """Return what a reading adds to angles, velocities and torques, (3, 7)."""
-        noise = self._rng.standard_normal((3, DOF))
+    def noise(self, readings: int) -> Array:
+        """Return what readings add to angles, velocities and torques, (readings, 3, 7)."""
+        noise = self._rng.standard_normal((readings, 3, DOF))
         noise *= self._deviations
         return noise
 
     def read(self, q: Array, v: Array, torque: Array) -> Array:
         """Return measured angles [rad], velocities [rad/s] and torques [Nm], (3, 7)."""
-        measured = self.noise()
+        measured: Array = self.noise(1)[0]
         measured[0] += q
         measured[1] += v
         measured[2] += torque

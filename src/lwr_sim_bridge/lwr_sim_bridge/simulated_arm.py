@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lwr_description import Kinematics, Mount
-from lwr_description.handle import Handle
 from lwr_sim_bridge.command_delay import CommandDelay
 from lwr_sim_bridge.command_gate import CommandGate, Refusal
 from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
-from lwr_sim_bridge.controller_kernel import Controller
+from lwr_sim_bridge.control_loop_kernel import ControlLoop
 from lwr_sim_bridge.errors import SimulationError
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.scene_model import SceneModel
@@ -26,7 +25,7 @@ TICK = 0.001
 
 
 class SimulatedArm:
-    """Plant, joint impedance controller and torque observer, advanced tick by tick.
+    """Plant, joint impedance controller and torque observer, advanced by whole ticks.
 
     The controller and the observer know the *nominal* arm; the plant is heavier and rubs, as
     `ArmParameters.mismatch` says. Runs with equal arguments, seed and calls are bit-identical.
@@ -58,10 +57,7 @@ class SimulatedArm:
         self._no_warnings = bytes(self._warnings.nbytes)
         self._gate = CommandGate(parameters.command, start)
         self._delay = CommandDelay(round(parameters.command.delay / TICK))
-        plant = Handle.of(self.model, self.data)
-        self._controller = Controller(
-            parameters, self._kinematics, plant, self.model.dof_damping, TICK
-        )
+        self._loop = ControlLoop(parameters, self._kinematics, self._scene, TICK)
         self._ticks_per_estimate = parameters.observer.ticks
         self._sensors = Sensors(scene.noise, parameters.noise, rng)
         self._truth = ContactTruth(self.model, self.data, self._scene.tool)
@@ -122,34 +118,39 @@ class SimulatedArm:
             self._delay.give(self._gate.last)
         return refusal
 
-    def step(self) -> None:
-        """Advance by one tick: joint controller, physics, observer.
+    def step(self, ticks: int = 1) -> None:
+        """Advance: joint controller, physics, observer; several ticks at once are cheaper.
 
         Raises:
             SimulationError: the simulator has warned or its state is not finite.
 
         """
-        arrived = self._delay.due()
-        if arrived is not None:
-            self._controller.head_for(arrived)
-        self._controller.step()
-        self.data.ctrl = self._controller.torque
-        mujoco.mj_step(self.model, self.data)
-        self._ticks += 1
-        self._check()
-        self._truth.update()
-        self._scene.settle()
-        if self._ticks % self._ticks_per_estimate == 0:
-            self._controller.observe(self._sensors.noise())
+        end, estimates = self._ticks + ticks, self._ticks // self._ticks_per_estimate
+        noise = self._sensors.noise(end // self._ticks_per_estimate - estimates)
+        while self._ticks < end:
+            arrived = self._delay.due()
+            if arrived is not None:
+                self._loop.head_for(arrived)
+            # The truth of a contact and obstacles that wait are looked at in every tick.
+            alone = self._truth.fading or self._scene.waiting
+            most = 1 if alone else min(end - self._ticks, 1 + self._delay.quiet)
+            done = self._loop.run(
+                int(most), noise[self._ticks // self._ticks_per_estimate - estimates:]
+            )
+            self._delay.skip(done - 1)
+            self._ticks += done
+            self._check()
+            self._truth.update()
+            self._scene.settle()
 
     def sample(self, stamp_ns: int) -> JointSample:
         """Return what the arm measures now, noise included, stamped `stamp_ns` [ns].
 
         The external torque is the arm's own estimate: it knows nothing of the true contacts.
         """
-        controller = self._controller
-        position, velocity, torque = self._sensors.read(self._q, self._v, controller.torque)
-        return JointSample(stamp_ns, position, velocity, torque, controller.residual.copy())
+        loop = self._loop
+        position, velocity, torque = self._sensors.read(self._q, self._v, loop.torque)
+        return JointSample(stamp_ns, position, velocity, torque, loop.residual.copy())
 
     def _check(self) -> None:
         # MuJoCo looks for numbers that are not finite, warns and resets before each step.
