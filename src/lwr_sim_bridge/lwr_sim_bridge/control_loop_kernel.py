@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lwr_description import DOF, TORQUE_MAX, Kinematics
+from lwr_description.compiled import compiled
 from lwr_description.handle import Handle
 from lwr_description.kinematics_kernel import gravity_at, mass_and_bias_at
 from lwr_description.mujoco_c import mj_step
@@ -73,7 +74,8 @@ class ControlLoop:
         _adapt(self._settings, self._memory)
         self._plant.torque[:] = kinematics.gravity(q)
         self._ticks = 0
-        self.run(0, np.empty((0, 3, DOF)))
+        views = self._plant, self._settings, self._memory
+        self._compiled = compiled(_run, *views, 0, 0, np.empty((0, 3, DOF)))
 
     @property
     def torque(self) -> Array:
@@ -91,7 +93,8 @@ class ControlLoop:
 
     def run(self, ticks: int, noise: Array) -> int:
         """See `control_loop.ControlLoop`."""
-        done: int = _run(self._plant, self._settings, self._memory, self._ticks, ticks, noise)
+        views = self._plant, self._settings, self._memory
+        done: int = self._compiled(*views, self._ticks, ticks, noise)
         self._ticks += done
         return done
 

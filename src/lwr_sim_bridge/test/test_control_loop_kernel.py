@@ -11,7 +11,6 @@ from lwr_sim_bridge import (
     ObserverParameters,
     SimulatedArm,
     control_loop,
-    control_loop_kernel,
     simulated_arm,
 )
 from srnn_config.scene import build_scene
@@ -22,7 +21,7 @@ DEFAULT = ArmParameters()
 WALL = {'shape': 'box', 'center': [0.10, 0.0], 'size': [0.1, 0.3]}
 
 
-def arm(parameters=DEFAULT):
+def arm(parameters):
     scene = build_scene({'name': 'wall', 'waypoints': [[0, 0]], 'obstacles': [WALL]}, 'test')
     return SimulatedArm(parameters, MOUNT, scene, np.random.default_rng(4))
 
@@ -64,11 +63,3 @@ def test_four_ticks_at_once_are_four_single_ones(ticks, delay):
     single, single_peak = run(parameters, at_once=1)
     assert peak == single_peak > 5.0
     np.testing.assert_array_equal(samples, single)
-
-
-def test_nothing_is_compiled_once_the_arm_exists():
-    moved = arm()
-    before = len(control_loop_kernel._run.signatures)
-    moved.step()
-    moved.step(4)
-    assert len(control_loop_kernel._run.signatures) == before

@@ -5,7 +5,8 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import Kinematics
+from lwr_description import DOF, Kinematics
+from lwr_description.compiled import compiled
 from lwr_description.kinematics_kernel import jacobian_at
 from lwr_tracking.core.products import gram, times
 from lwr_tracking.core.resolved_rate import Bounds
@@ -14,15 +15,22 @@ from lwr_tracking.core.spd_solve import solve_spd3
 Array = NDArray[np.float64]
 
 
-def step(
-    kinematics: Kinematics, bounds: Bounds, command: Array, target: Array, dt: float, draw: float
-) -> Array:
-    """See `resolved_rate.step`."""
-    arm = kinematics
-    return _step(
-        arm.still, arm.tip_site, arm.tip_world, arm.origin, arm.home, bounds, command, target, dt,
-        draw,
-    )  # fmt: skip
+class ResolvedRate:
+    """See `resolved_rate.ResolvedRate`; after the constructor nothing is compiled any more."""
+
+    def __init__(self, kinematics: Kinematics, bounds: Bounds) -> None:
+        """See `resolved_rate.ResolvedRate`."""
+        self._kinematics = kinematics  # Keeps what the following are views of.
+        self._arm = (
+            kinematics.still, kinematics.tip_site, kinematics.tip_world, kinematics.origin,
+            kinematics.home, bounds,
+        )  # fmt: skip
+        self._compiled = compiled(_step, *self._arm, np.zeros(DOF), np.zeros(3), 0.0, 0.0)
+
+    def step(self, command: Array, target: Array, dt: float, draw: float) -> Array:
+        """See `resolved_rate.ResolvedRate`."""
+        following: Array = self._compiled(*self._arm, command, target, dt, draw)
+        return following
 
 
 @numba.njit(cache=True)

@@ -10,17 +10,25 @@ from lwr_tracking.core.spd_solve import solve_spd3
 Array = NDArray[np.float64]
 
 
-def tip_and_force(kinematics: Kinematics, q: Array, external_torque: Array) -> tuple[Array, Array]:
-    """Return the tip (3,) [m] and the force (3,) [N] that explains external torques best.
+class TipEstimate:
+    """Tip and force at the tip from angles and external torques.
 
-    Least squares of J^T f = tau: f = (J J^T)^-1 J tau. On this mount it finds contacts as
-    early as the dynamically consistent inverse, without the mass matrix in every cycle.
-
-    Args:
-        kinematics: of the arm.
-        q: (7,) joint angles [rad].
-        external_torque: (7,) [Nm].
-
+    The force explains the torques best, by least squares of J^T f = tau: f = (J J^T)^-1 J tau.
+    On this mount it finds contacts as early as the dynamically consistent inverse, without
+    the mass matrix in every cycle.
     """
-    tip, jacobian = kinematics.tip_and_jacobian(q)
-    return tip, solve_spd3(jacobian.dot(jacobian.T), jacobian.dot(external_torque))
+
+    def __init__(self, kinematics: Kinematics) -> None:
+        """Take the kinematics of the arm."""
+        self._kinematics = kinematics
+
+    def measure(self, q: Array, external_torque: Array) -> tuple[Array, Array]:
+        """Return the tip (3,) [m] and the force on it (3,) [N].
+
+        Args:
+            q: (7,) joint angles [rad].
+            external_torque: (7,) [Nm].
+
+        """
+        tip, jacobian = self._kinematics.tip_and_jacobian(q)
+        return tip, solve_spd3(jacobian.dot(jacobian.T), jacobian.dot(external_torque))

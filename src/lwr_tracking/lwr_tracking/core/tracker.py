@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import DOF, Kinematics
+from lwr_description import Kinematics
 from lwr_tracking.core.contact_observer import ContactObserver, Touch
 from lwr_tracking.core.counters import Counters
 from lwr_tracking.core.errors import ClockError
@@ -17,7 +17,7 @@ from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.segment_gate import Admission, Join, judge
-from lwr_tracking.core.tip_estimate_kernel import tip_and_force
+from lwr_tracking.core.tip_estimate_kernel import TipEstimate
 from lwr_tracking.core.tracking_law import TrackingLaw
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.result import ResultCode, SegmentResult
@@ -60,15 +60,13 @@ class Tracker:
         self.conditions = Condition.NOT_STARTED
         self.counters = Counters()
         self._parameters = parameters
-        self._kinematics = kinematics
+        self._estimate = TipEstimate(kinematics)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
         self._contact = ContactObserver(parameters.contact)
         self._execution: Execution | None = None
         self._now: float | None = None
         self._last_stamp_ns: int | None = None
         self._finished: list[Finished] = []
-        # Compiled by the first call, which must not be while the arm moves.
-        tip_and_force(kinematics, kinematics.home, np.zeros(DOF))
 
     @property
     def reference(self) -> Reference | None:
@@ -127,7 +125,7 @@ class Tracker:
         if not _usable(sample):
             self._fault(Condition.BAD_SAMPLE)
             return self._answer()
-        self.tip, force = tip_and_force(self._kinematics, sample.position, sample.external_torque)
+        self.tip, force = self._estimate.measure(sample.position, sample.external_torque)
         execution = self._execution or self._start(sample)
         if self._diverged(sample):
             self._fault(Condition.DIVERGED)

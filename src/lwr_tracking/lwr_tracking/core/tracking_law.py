@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from lwr_description import POSITION_MAX, VELOCITY_MAX, Kinematics
 from lwr_tracking.core.parameters import LawParameters, LimitParameters
 from lwr_tracking.core.resolved_rate import Bounds
-from lwr_tracking.core.resolved_rate_kernel import step
+from lwr_tracking.core.resolved_rate_kernel import ResolvedRate
 
 Array = NDArray[np.float64]
 
@@ -33,15 +33,14 @@ class TrackingLaw:
         self.command = np.array(kinematics.home)
         self.correction = np.zeros(3)
         self._law = law
-        self._kinematics = kinematics
-        self._bounds = Bounds(
+        self._velocity_max = VELOCITY_MAX * limits.velocity_share
+        bounds = Bounds(
             POSITION_MAX - limits.position_margin,
-            VELOCITY_MAX * limits.velocity_share,
+            self._velocity_max,
             law.tip_speed,
             law.damping**2,
         )
-        # Compiled by the first call, which must not be while the arm moves.
-        self.step(np.zeros(3), 0.0)
+        self._inverse = ResolvedRate(kinematics, bounds)
 
     def start(self, position: Array) -> None:
         """Command the measured joint angles (7,) [rad], without correction."""
@@ -50,7 +49,7 @@ class TrackingLaw:
 
     def follow(self, position: Array, dt: float) -> None:
         """Let the command approach the measured joint angles (7,) [rad] within `dt` [s]."""
-        reach = self._bounds.velocity * dt
+        reach = self._velocity_max * dt
         self.command = self.command + np.clip(position - self.command, -reach, reach)
 
     def correct(self, error: Array, dt: float) -> None:
@@ -70,6 +69,5 @@ class TrackingLaw:
 
         """
         draw = self._law.posture_gain * dt if settle else 0.0
-        target = target + self.correction
-        self.command = step(self._kinematics, self._bounds, self.command, target, dt, draw)
+        self.command = self._inverse.step(self.command, target + self.correction, dt, draw)
         return self.command
