@@ -39,7 +39,9 @@ class Kinematics:
 
     def __init__(self, mount: Mount) -> None:
         """Compile the arm of `mount`, without contacts."""
-        self._model = arm_spec(mount).compile()
+        spec = arm_spec(mount)
+        spec.compiler.discardvisual = True  # Shapes for the eye alone cost time in every call.
+        self._model = spec.compile()
         self._model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
         self._data = mujoco.MjData(self._model)
         self._moving = mujoco.MjData(self._model)

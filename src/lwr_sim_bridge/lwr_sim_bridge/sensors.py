@@ -36,10 +36,10 @@ class Sensors:
         begin, self._used = self._used, self._used + readings
         return self._drawn[begin:self._used]
 
-    def read(self, q: Array, v: Array, torque: Array) -> Array:
-        """Return measured angles [rad], velocities [rad/s] and torques [Nm], (3, 7)."""
-        measured: Array = self.noise(1)[0]
-        measured[0] += q
-        measured[1] += v
-        measured[2] += torque
-        return measured
+    def read(self, q: Array, v: Array, torque: Array) -> tuple[Array, Array, Array]:
+        """Return measured angles [rad], velocities [rad/s] and torques [Nm], (7,) each."""
+        position, velocity, effort = self.noise(1)[0]
+        position += q
+        velocity += v
+        effort += torque
+        return position, velocity, effort

@@ -41,15 +41,19 @@ def _step(still, tip_site, tip_world, origin, home, bounds, command, target, dt,
     size = np.sqrt((wanted * wanted).sum())
     if size > bounds.tip_speed * dt:
         wanted *= bounds.tip_speed * dt / size
-    posture = (home - command) * draw
+    move = (home - command) * draw
     matrix = gram(jacobian)
-    for i in range(3):
-        matrix[i, i] += bounds.damping
-    solved = solve_spd3(matrix, wanted - times(jacobian, posture))
-    move = posture + times(jacobian.T, solved)
-    excess = np.abs(move / bounds.velocity).max()
-    if excess > dt:
-        move *= dt / excess
-    high = np.maximum(bounds.position, command)
-    low = np.minimum(-bounds.position, command)
-    return np.minimum(np.maximum(command + move, low), high)
+    for k in range(3):
+        matrix[k, k] += bounds.damping
+    solved = solve_spd3(matrix, wanted - times(jacobian, move))
+    excess = 0.0
+    for i in range(move.shape[0]):
+        for k in range(3):
+            move[i] += jacobian[k, i] * solved[k]
+        excess = max(excess, abs(move[i]) / bounds.velocity[i])
+    share = dt / excess if excess > dt else 1.0
+    for i in range(move.shape[0]):
+        high = max(bounds.position[i], command[i])
+        low = min(-bounds.position[i], command[i])
+        move[i] = min(max(command[i] + share * move[i], low), high)
+    return move
