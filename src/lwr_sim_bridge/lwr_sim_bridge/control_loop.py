@@ -17,12 +17,7 @@ Array = NDArray[np.float64]
 
 
 class ControlLoop:
-    """Interpolator, impedance law and momentum observer know the nominal arm alone.
-
-    Attributes:
-        torque: (7,) joint torques of the last tick [Nm].
-
-    """
+    """Interpolator, impedance law and momentum observer know the nominal arm alone."""
 
     def __init__(
         self, parameters: ArmParameters, kinematics: Kinematics, scene: SceneModel, tick: float
@@ -49,7 +44,7 @@ class ControlLoop:
         self._tick = tick
         self._ticks = 0
         self._torque_sum = np.zeros(DOF)
-        self.torque: Array = kinematics.gravity(q)
+        self._plant.torque[:] = kinematics.gravity(q)
 
     @property
     def residual(self) -> Array:
@@ -86,15 +81,25 @@ class ControlLoop:
                 return done
         return ticks
 
+    def measure(self, noise: Array) -> tuple[Array, Array, Array]:
+        """Return what the arm measures now: angles, velocities and torques, (7,) each.
+
+        Args:
+            noise: (3, 7) of these, [rad], [rad/s] and [Nm]; may be overwritten.
+
+        """
+        state = self._plant.state
+        return noise[0] + state.q, noise[1] + state.v, noise[2] + self._plant.torque
+
     def _control(self) -> None:
         state, desired = self._plant.state, self._interpolator
         desired.step()
         gravity = self._kinematics.gravity(state.q)
-        self.torque = self._impedance.torque(
+        torque = self._impedance.torque(
             state.q, state.v, desired.position, desired.velocity, gravity
         )
-        self._plant.torque[:] = self.torque
-        self._torque_sum += self.torque
+        self._plant.torque[:] = torque
+        self._torque_sum += torque
 
     def _observe(self, noise: Array) -> None:
         position = noise[0] + self._plant.state.q

@@ -75,12 +75,9 @@ class ControlLoop:
         self._plant.torque[:] = kinematics.gravity(q)
         self._ticks = 0
         views = self._plant, self._settings, self._memory
-        self._compiled = compiled(_run, *views, 0, 0, np.empty((0, 3, DOF)))
-
-    @property
-    def torque(self) -> Array:
-        """See `control_loop.ControlLoop`; a view that `run` changes."""
-        return self._plant.torque
+        self._run = compiled(_run, *views, 0, 0, np.empty((0, 3, DOF)))
+        self._truth = q, self._plant.state.v, self._plant.torque
+        self._measure = compiled(_measure, *self._truth, np.empty((3, DOF)))
 
     @property
     def residual(self) -> Array:
@@ -94,9 +91,15 @@ class ControlLoop:
     def run(self, ticks: int, noise: Array) -> int:
         """See `control_loop.ControlLoop`."""
         views = self._plant, self._settings, self._memory
-        done: int = self._compiled(*views, self._ticks, ticks, noise)
+        done: int = self._run(*views, self._ticks, ticks, noise)
         self._ticks += done
         return done
+
+    def measure(self, noise: Array) -> tuple[Array, Array, Array]:
+        """See `control_loop.ControlLoop`."""
+        self._measure(*self._truth, noise)
+        position, velocity, torque = noise
+        return position, velocity, torque
 
 
 @numba.njit(cache=True)
@@ -113,6 +116,14 @@ def _run(plant, settings, memory, before, ticks, noise):
         if plant.contacts[0] > 0.0:
             return done
     return ticks
+
+
+@numba.njit(cache=True)
+def _measure(q, v, torque, noise):
+    for i in range(q.shape[0]):
+        noise[0, i] += q[i]
+        noise[1, i] += v[i]
+        noise[2, i] += torque[i]
 
 
 @numba.njit(cache=True)

@@ -28,18 +28,13 @@ class Sensors:
         self._used = 0
 
     def noise(self, readings: int) -> Array:
-        """Return what readings add to angles, velocities and torques, (readings, 3, 7)."""
+        """Return what readings add to the truth, (readings, 3, 7).
+
+        Angles [rad], velocities [rad/s] and torques [Nm]; nobody else gets the same array.
+        """
         if self._used + readings > len(self._drawn):
             fresh = self._rng.standard_normal((max(_BLOCK, readings), 3, DOF)) * self._deviations
             self._drawn = np.concatenate((self._drawn[self._used:], fresh))
             self._used = 0
         begin, self._used = self._used, self._used + readings
         return self._drawn[begin:self._used]
-
-    def read(self, q: Array, v: Array, torque: Array) -> tuple[Array, Array, Array]:
-        """Return measured angles [rad], velocities [rad/s] and torques [Nm], (7,) each."""
-        position, velocity, effort = self.noise(1)[0]
-        position += q
-        velocity += v
-        effort += torque
-        return position, velocity, effort

@@ -148,9 +148,8 @@ class SimulatedArm:
 
         The external torque is the arm's own estimate: it knows nothing of the true contacts.
         """
-        loop = self._loop
-        position, velocity, torque = self._sensors.read(self._q, self._v, loop.torque)
-        return JointSample(stamp_ns, position, velocity, torque, loop.residual.copy())
+        measured = self._loop.measure(self._sensors.noise(1)[0])
+        return JointSample(stamp_ns, *measured, self._loop.residual.copy())
 
     def _check(self) -> None:
         # MuJoCo looks for numbers that are not finite, warns and resets before each step.

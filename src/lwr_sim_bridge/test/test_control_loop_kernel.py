@@ -21,8 +21,8 @@ DEFAULT = ArmParameters()
 WALL = {'shape': 'box', 'center': [0.10, 0.0], 'size': [0.1, 0.3]}
 
 
-def arm(parameters):
-    scene = build_scene({'name': 'wall', 'waypoints': [[0, 0]], 'obstacles': [WALL]}, 'test')
+def arm(parameters, obstacle=WALL):
+    scene = build_scene({'name': 'wall', 'waypoints': [[0, 0]], 'obstacles': [obstacle]}, 'test')
     return SimulatedArm(parameters, MOUNT, scene, np.random.default_rng(4))
 
 
@@ -63,3 +63,17 @@ def test_four_ticks_at_once_are_four_single_ones(ticks, delay):
     single, single_peak = run(parameters, at_once=1)
     assert peak == single_peak > 5.0
     np.testing.assert_array_equal(samples, single)
+
+
+def test_an_obstacle_that_waits_appears_in_the_tick_in_which_the_tool_has_left():
+    disc = {'shape': 'disc', 'center': [0.0, 0.0], 'radius': 0.02}
+    single, several = arm(DEFAULT, disc), arm(DEFAULT, disc)
+    for x in np.linspace(0.0, 0.06, 100):
+        for moved in (single, several):
+            assert moved.command(KINEMATICS.inverse([x, 0.0, 0.0])) is None
+        several.step(4)
+        for _ in range(4):
+            single.step()
+        assert single.obstacles_present == several.obstacles_present
+        np.testing.assert_array_equal(single.data.qpos, several.data.qpos)
+    assert several.obstacles_present == (0,)

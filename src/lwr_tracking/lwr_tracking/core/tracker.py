@@ -180,7 +180,8 @@ class Tracker:
         return max(map(abs, distance)) > self._parameters.limits.joint_divergence
 
     def _advance(self, execution: Execution, dt: float, force: Array) -> None:
-        execution.reference.paused = decide(self.conditions).reaction >= Reaction.SOFT_STOP
+        decision = decide(self.conditions)
+        execution.reference.paused = decision.reaction >= Reaction.SOFT_STOP
         stops_before = execution.reference.soft_stops
         self._finish(execution.advance(dt, self.tip))
         self.counters.soft_stops += execution.reference.soft_stops - stops_before
@@ -190,7 +191,7 @@ class Tracker:
         running = execution.reference.running is not None
         if touch is Touch.ERROR or (touch is Touch.FORCE and running):
             self._touch(touch, running)
-        elif not self._contact.loaded and not self.latched:
+        elif not self._contact.loaded and not decision.latched:
             # Under load the integral would only wind up against the obstacle.
             self._law.correct(execution.error, dt)
 

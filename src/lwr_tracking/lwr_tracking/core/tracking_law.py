@@ -5,6 +5,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lwr_description import POSITION_MAX, VELOCITY_MAX, Kinematics
+from lwr_description.compiled import compiled
+from lwr_tracking.core.bounded_sum import add_bounded
 from lwr_tracking.core.parameters import LawParameters, LimitParameters
 from lwr_tracking.core.resolved_rate import Bounds
 from lwr_tracking.core.resolved_rate_kernel import ResolvedRate
@@ -41,10 +43,11 @@ class TrackingLaw:
             law.damping**2,
         )
         self._inverse = ResolvedRate(kinematics, bounds)
+        self._add = compiled(add_bounded, np.zeros(3), np.zeros(3), 0.0, 0.0)
 
     def start(self, position: Array) -> None:
         """Command the measured joint angles (7,) [rad], without correction."""
-        self.command = np.array(position)
+        self.command = np.array(position, dtype=np.float64)
         self.correction = np.zeros(3)
 
     def follow(self, position: Array, dt: float) -> None:
@@ -54,10 +57,8 @@ class TrackingLaw:
 
     def correct(self, error: Array, dt: float) -> None:
         """Integrate where the tip should be minus where it is, (3,) [m], over `dt` [s]."""
-        limit = self._law.integral_limit
-        self.correction += self._law.integral_gain * dt * error
-        np.minimum(self.correction, limit, out=self.correction)
-        np.maximum(self.correction, -limit, out=self.correction)
+        law = self._law
+        self._add(self.correction, error, law.integral_gain * dt, law.integral_limit)
 
     def step(self, target: Array, dt: float, settle: bool = True) -> Array:
         """Return the command (7,) [rad] whose tip is nearest to the target after `dt`.
