@@ -2,7 +2,8 @@
 """The methods of `Kinematics` that are needed in every tick, for compiled code to call.
 
 They take the scratch memory `Kinematics.still` or `Kinematics.moving` and write their results
-into arrays of the caller.
+into arrays of the caller. Numba's cache of a caller does not notice a change in this file:
+`make clean` after one.
 """
 
 import numba
@@ -35,7 +36,8 @@ def gravity_at(still, q, torque):
 @numba.njit(cache=True)
 def mass_and_bias_at(moving, q, velocity, mass, bias):
     """Write `Kinematics.mass_and_bias`, (7, 7) and (7,)."""
-    moving.v[:] = velocity
+    for i in range(velocity.shape[0]):
+        moving.v[i] = velocity[i]
     _place(moving, q)
     mj_comVel(moving.model, moving.data)
     mj_makeM(moving.model, moving.data)
@@ -45,6 +47,8 @@ def mass_and_bias_at(moving, q, velocity, mass, bias):
 
 @numba.njit(cache=True)
 def _place(handle, q):
-    handle.q[:] = q
+    # Loops, here and elsewhere, because numba compiles them faster than array expressions.
+    for i in range(q.shape[0]):
+        handle.q[i] = q[i]
     mj_kinematics(handle.model, handle.data)
     mj_comPos(handle.model, handle.data)

@@ -108,8 +108,9 @@ def _run(plant, settings, memory, before, ticks, noise):
     for done in range(1, ticks + 1):
         _control(plant, settings, memory)
         mj_step(plant.state.model, plant.state.data)
-        if plant.warnings.any():
-            return done
+        for number in plant.warnings:
+            if number:
+                return done
         if (before + done) % settings.ticks_per_estimate == 0:
             _observe(plant, settings, memory, noise[estimates])
             estimates += 1
@@ -148,14 +149,17 @@ def _control(plant, settings, memory):
 
 @numba.njit(cache=True)
 def _observe(plant, settings, memory, noise):
+    residual = memory.residual
+    for i in range(residual.shape[0]):
+        noise[0, i] += plant.state.q[i]
+        noise[1, i] += plant.state.v[i]
+        noise[2, i] += memory.torque_sum[i] / settings.ticks_per_estimate
+        memory.torque_sum[i] = 0.0
     position, velocity, torque = noise[0], noise[1], noise[2]
-    position += plant.state.q
-    velocity += plant.state.v
-    torque += memory.torque_sum / settings.ticks_per_estimate
-    mass, bias = np.empty_like(memory.mass), np.empty_like(memory.residual)
+    mass, bias = np.empty((DOF, DOF)), np.empty(DOF)
     mass_and_bias_at(settings.moving, position, velocity, mass, bias)
     elapsed = settings.ticks_per_estimate * settings.tick
-    gain, residual = settings.gain, memory.residual
+    gain = settings.gain
     for i in range(residual.shape[0]):
         inertial = 0.0
         for k in range(residual.shape[0]):
@@ -164,9 +168,10 @@ def _observe(plant, settings, memory, noise):
         known = bias[i] + plant.damping[i] * velocity[i] - torque[i]
         external = 0.5 * inertial + known * elapsed
         residual[i] = (residual[i] + gain * external) / (1.0 + gain * elapsed)
-    memory.mass[:] = mass
-    memory.measured_velocity[:] = velocity
-    memory.torque_sum[:] = 0.0
+    for i in range(residual.shape[0]):
+        memory.measured_velocity[i] = velocity[i]
+        for k in range(residual.shape[0]):
+            memory.mass[i, k] = mass[i, k]
     _adapt(settings, memory)
 
 
