@@ -19,8 +19,10 @@ def times(jacobian, vector):
 @numba.njit(cache=True)
 def gram(jacobian):
     """Return J J^T (m, m) of a Jacobian (m, n)."""
-    rows = jacobian.shape[0]
-    product = np.empty((rows, rows))
+    rows, columns = jacobian.shape
+    product = np.zeros((rows, rows))
     for i in range(rows):
-        product[i] = times(jacobian, jacobian[i])
+        for j in range(rows):
+            for k in range(columns):
+                product[i, j] += jacobian[i, k] * jacobian[j, k]
     return product

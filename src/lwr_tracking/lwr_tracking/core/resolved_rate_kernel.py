@@ -35,24 +35,30 @@ class ResolvedRate:
 
 @numba.njit(cache=True)
 def _step(still, tip_site, tip_world, origin, home, bounds, command, target, dt, draw):
-    jacobian = np.empty((3, command.shape[0]))
+    joints = command.shape[0]
+    jacobian, move, wanted = np.empty((3, joints)), np.empty(joints), np.empty(3)
     jacobian_at(still, tip_site, command, jacobian)
-    wanted = target - (tip_world - origin)
-    size = np.sqrt((wanted * wanted).sum())
-    if size > bounds.tip_speed * dt:
-        wanted *= bounds.tip_speed * dt / size
-    move = (home - command) * draw
     matrix = gram(jacobian)
+    square = 0.0
     for k in range(3):
         matrix[k, k] += bounds.damping
-    solved = solve_spd3(matrix, wanted - times(jacobian, move))
+        wanted[k] = target[k] - (tip_world[k] - origin[k])
+        square += wanted[k] ** 2
+    reach, size = bounds.tip_speed * dt, np.sqrt(square)
+    nearer = reach / size if size > reach else 1.0
+    for i in range(joints):
+        move[i] = (home[i] - command[i]) * draw
+    posture = times(jacobian, move)
+    for k in range(3):
+        wanted[k] = nearer * wanted[k] - posture[k]
+    solved = solve_spd3(matrix, wanted)
     excess = 0.0
-    for i in range(move.shape[0]):
+    for i in range(joints):
         for k in range(3):
             move[i] += jacobian[k, i] * solved[k]
         excess = max(excess, abs(move[i]) / bounds.velocity[i])
     share = dt / excess if excess > dt else 1.0
-    for i in range(move.shape[0]):
+    for i in range(joints):
         high = max(bounds.position[i], command[i])
         low = min(-bounds.position[i], command[i])
         move[i] = min(max(command[i] + share * move[i], low), high)

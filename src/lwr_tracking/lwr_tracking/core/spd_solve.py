@@ -24,4 +24,6 @@ def solve_spd3(matrix, right):
     y2 = (right[2] - l20 * y0 - l21 * y1) / l22
     x2 = y2 / l22
     x1 = (y1 - l21 * x2) / l11
-    return np.array(((y0 - l10 * x1 - l20 * x2) / l00, x1, x2))
+    solution = np.empty(3)
+    solution[0], solution[1], solution[2] = (y0 - l10 * x1 - l20 * x2) / l00, x1, x2
+    return solution

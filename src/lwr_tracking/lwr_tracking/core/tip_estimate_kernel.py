@@ -35,7 +35,8 @@ class TipEstimate:
 
 @numba.njit(cache=True)
 def _measure(still, tip_site, tip_world, origin, q, external_torque):
-    jacobian = np.empty((3, q.shape[0]))
+    jacobian, tip = np.empty((3, q.shape[0])), np.empty(3)
     jacobian_at(still, tip_site, q, jacobian)
-    force = solve_spd3(gram(jacobian), times(jacobian, external_torque))
-    return tip_world - origin, force
+    for k in range(3):
+        tip[k] = tip_world[k] - origin[k]
+    return tip, solve_spd3(gram(jacobian), times(jacobian, external_torque))
