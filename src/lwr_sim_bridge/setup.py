@@ -19,7 +19,7 @@ setup(
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
     ],
-    install_requires=['setuptools', 'mujoco>=3.12,<4', 'numpy'],
+    install_requires=['setuptools', 'mujoco>=3.12,<4', 'numba', 'numpy'],
     extras_require={'test': ['hypothesis', 'pytest']},
     zip_safe=False,
     entry_points={

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lwr_description.arm_spec import TIP_SITE, WORKSPACE_SITE, arm_spec
 from lwr_description.errors import UnreachableError
+from lwr_description.handle import Handle
 from lwr_description.joints import DOF
 from lwr_description.limits import POSITION_MAX
 from lwr_description.mount import Mount
@@ -28,19 +29,28 @@ class Kinematics:
 
     Attributes:
         home: (7,) rest posture [rad], read-only.
+        still: scratch memory for compiled code, at rest; valid while this object lives.
+        moving: the same for code that sets velocities.
+        tip_site: number of the tip's site.
+        tip_world: (3,) tip of `still` in the world [m]; a view.
+        origin: (3,) origin of `srnn_workspace` in the world [m].
 
     """
 
     def __init__(self, mount: Mount) -> None:
         """Compile the arm of `mount`, without contacts."""
-        self._model = arm_spec(mount).compile()
+        spec = arm_spec(mount)
+        spec.compiler.discardvisual = True  # Shapes for the eye alone cost time in every call.
+        self._model = spec.compile()
         self._model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
         self._data = mujoco.MjData(self._model)
         self._moving = mujoco.MjData(self._model)
-        self._tip = self._model.site(TIP_SITE).id
-        self._tip_world = self._data.site_xpos[self._tip]
+        self.tip_site: int = self._model.site(TIP_SITE).id
+        self.tip_world: Array = self._data.site_xpos[self.tip_site]
         mujoco.mj_kinematics(self._model, self._data)
-        self._origin = self._data.site(WORKSPACE_SITE).xpos.copy()
+        self.origin: Array = self._data.site(WORKSPACE_SITE).xpos.copy()
+        self.still = Handle.of(self._model, self._data)
+        self.moving = Handle.of(self._model, self._moving)
         self.home = np.array(mount.home)
         self.home.flags.writeable = False
 
@@ -48,20 +58,19 @@ class Kinematics:
         """Return the tip (3,) in `srnn_workspace` [m]."""
         self._data.qpos = q
         mujoco.mj_kinematics(self._model, self._data)
-        position: Array = self._tip_world - self._origin
-        return position
+        return self.tip_world - self.origin
 
     def jacobian(self, q: Array) -> Array:
         """Return d tip / d q, (3, 7) [m/rad]."""
         self._place(q)
         jacobian = np.empty((3, DOF))
-        mujoco.mj_jacSite(self._model, self._data, jacobian, None, self._tip)
+        mujoco.mj_jacSite(self._model, self._data, jacobian, None, self.tip_site)
         return jacobian
 
     def tip_and_jacobian(self, q: Array) -> tuple[Array, Array]:
         """Return `tip` (3,) and `jacobian` (3, 7) for the price of one."""
         jacobian = self.jacobian(q)
-        return self._tip_world - self._origin, jacobian
+        return self.tip_world - self.origin, jacobian
 
     def mass_matrix(self, q: Array) -> Array:
         """Return the joint-space inertia (7, 7) [kg m^2], armature included."""

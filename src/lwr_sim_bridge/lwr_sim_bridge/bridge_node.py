@@ -89,8 +89,7 @@ class BridgeNode(WorkspaceNode):
         """Advance the arm by one cycle and report what it measures."""
         if not self._rate.take(time.monotonic()):
             return
-        for _ in range(TICKS_PER_CYCLE):
-            self._arm.step()
+        self._arm.step(TICKS_PER_CYCLE)
         self._cycles += 1
         self._report()
 

@@ -2,6 +2,7 @@
 """The way of a command to the arm's own controller, which takes its time."""
 
 from collections import deque
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,3 +28,12 @@ class CommandDelay:
             _, arrived = self._waiting.popleft()
         self._now += 1
         return arrived
+
+    @property
+    def quiet(self) -> float:
+        """Number of ticks from now on in which nothing arrives."""
+        return self._waiting[0][0] - self._now if self._waiting else inf
+
+    def skip(self, ticks: int) -> None:
+        """Advance by `ticks` in which nothing arrives."""
+        self._now += ticks

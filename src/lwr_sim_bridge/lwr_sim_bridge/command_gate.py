@@ -3,6 +3,7 @@
 
 from enum import Enum
 from math import isfinite
+from operator import gt, sub
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -58,11 +59,10 @@ class CommandGate:
         asked, last = angles.tolist(), self._last.tolist()
         if not all(map(isfinite, asked)):
             return Refusal.NOT_FINITE
-        if any(abs(angle) > limit for angle, limit in zip(asked, _POSITION_MAX, strict=True)):
+        if any(map(gt, map(abs, asked), _POSITION_MAX)):
             return Refusal.OUT_OF_RANGE
         elapsed = max(now - self._last_time, self._parameters.period)
         seconds = min(elapsed, self._parameters.silence)
-        for angle, before, speed in zip(asked, last, _VELOCITY_MAX, strict=True):
-            if abs(angle - before) > speed * seconds:
-                return Refusal.TOO_FAR
-        return None
+        reach = [speed * seconds for speed in _VELOCITY_MAX]
+        far = any(map(gt, map(abs, map(sub, asked, last)), reach))
+        return Refusal.TOO_FAR if far else None

@@ -32,7 +32,12 @@ class ContactForce:
 
 
 class ContactTruth:
-    """Sums the simulator's contact forces, tick by tick."""
+    """Sums the simulator's contact forces, tick by tick.
+
+    Attributes:
+        fading: there was a force; `update` must not miss a tick until it has faded.
+
+    """
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, tool: int) -> None:
         """Watch the contacts of geometry number `tool`."""
@@ -43,19 +48,19 @@ class ContactTruth:
         self._wrench = np.empty(6)
         self._raw = np.zeros(3)
         self._low_pass = np.zeros(3)
-        self._fading = False
+        self.fading = False
         self._peak = 0.0
 
     def update(self) -> None:
-        """Take in the tick that has just been simulated."""
+        """Take in the tick that has just been simulated; without contact it may be left out."""
         touching = self._data.ncon > 0
-        if not (touching or self._fading):
+        if not (touching or self.fading):
             return
         self._raw = self._sum() if touching else np.zeros(3)
         self._low_pass = self._low_pass + self._share * (self._raw - self._low_pass)
         magnitude = float(np.linalg.norm(self._low_pass))
         self._peak = max(self._peak, magnitude)
-        self._fading = touching or magnitude > 1e-6
+        self.fading = touching or magnitude > 1e-6
 
     def read(self) -> ContactForce:
         """Return the force of the last tick."""

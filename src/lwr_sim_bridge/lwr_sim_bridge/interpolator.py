@@ -31,13 +31,7 @@ class Interpolator:
             tick: time between two calls of `step` [s].
 
         """
-        w = 1.0 / time_constant
-        decay = exp(-w * tick)
-        stay = decay * (1.0 + w * tick)
-        pull = decay * w * w * tick
-        self._transition = np.array(
-            [[stay, decay * tick, 1.0 - stay], [-pull, decay * (1.0 - w * tick), pull]]
-        )
+        self._transition = transition(time_constant, tick)
         self._state = np.array([start, np.zeros_like(start), start], dtype=float)
         self._moving = self._state[:2]
         self._next = np.empty_like(self._moving)
@@ -51,3 +45,18 @@ class Interpolator:
         """Advance by one tick."""
         np.dot(self._transition, self._state, out=self._next)
         self._moving[:] = self._next
+
+
+def transition(time_constant: float, tick: float) -> Array:
+    """Return (2, 3): position and velocity after a tick from position, velocity and command.
+
+    Args:
+        time_constant: 1 / w [s].
+        tick: length of the tick [s].
+
+    """
+    w = 1.0 / time_constant
+    decay = exp(-w * tick)
+    stay = decay * (1.0 + w * tick)
+    pull = decay * w * w * tick
+    return np.array([[stay, decay * tick, 1.0 - stay], [-pull, decay * (1.0 - w * tick), pull]])

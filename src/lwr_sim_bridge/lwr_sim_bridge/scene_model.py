@@ -19,7 +19,7 @@ class SceneModel:
 
     Attributes:
         model: MuJoCo model with a 1 ms time step; only the tool rod and obstacles that are
-            there collide.
+            there collide. Its only sensor counts the contacts of the tool.
         data: its state.
         tool: index of the tool's geometry.
 
@@ -39,6 +39,7 @@ class SceneModel:
         _add_surroundings(spec, mount)
         for name, obstacle in zip(names, obstacles, strict=True):
             add_obstacle(spec, obstacle, name, mount, parameters.contact)
+        _add_contact_counter(spec)
         self.model = spec.compile()
         self.model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
         self.data = mujoco.MjData(self.model)
@@ -85,6 +86,11 @@ class SceneModel:
                 self._show(geom, True)
                 self._pending.discard(geom)
 
+    @property
+    def waiting(self) -> bool:
+        """Tell whether `settle` has something to do."""
+        return bool(self._pending)
+
     def present(self) -> tuple[int, ...]:
         """Return the indices of the obstacles that are there now."""
         return tuple(i for i, geom in enumerate(self._geoms) if self._shown(geom))
@@ -121,4 +127,15 @@ def _add_surroundings(spec: mujoco.MjSpec, mount: Mount) -> None:
         contype=0,
         conaffinity=0,
         rgba=[0.85, 0.85, 0.82, 1.0],
+    )
+
+
+def _add_contact_counter(spec: mujoco.MjSpec) -> None:
+    found = 1 << int(mujoco.mjtConDataField.mjCONDATA_FOUND)
+    spec.add_sensor(
+        name='contacts',
+        type=mujoco.mjtSensor.mjSENS_CONTACT,
+        objtype=mujoco.mjtObj.mjOBJ_GEOM,
+        objname=TOOL_GEOM,
+        intprm=[found, 0, 1],
     )

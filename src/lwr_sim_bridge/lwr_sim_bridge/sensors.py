@@ -10,9 +10,12 @@ from srnn_config.scene import SceneNoise
 
 Array = NDArray[np.float64]
 
+_BLOCK = 64
+"""Readings whose noise is drawn together: a call of the generator is dear."""
+
 
 class Sensors:
-    """Adds white noise, drawn afresh at every reading."""
+    """Adds white noise, fresh in every reading."""
 
     def __init__(
         self, scene: SceneNoise, parameters: NoiseParameters, rng: np.random.Generator
@@ -21,12 +24,17 @@ class Sensors:
         deviations = [scene.position, parameters.velocity, scene.torque]
         self._deviations = parameters.scale * np.repeat(deviations, DOF).reshape(3, DOF)
         self._rng = rng
+        self._drawn = np.empty((0, 3, DOF))
+        self._used = 0
 
-    def read(self, q: Array, v: Array, torque: Array) -> Array:
-        """Return measured angles [rad], velocities [rad/s] and torques [Nm], (3, 7)."""
-        measured = self._rng.standard_normal((3, DOF))
-        measured *= self._deviations
-        measured[0] += q
-        measured[1] += v
-        measured[2] += torque
-        return measured
+    def noise(self, readings: int) -> Array:
+        """Return what readings add to the truth, (readings, 3, 7).
+
+        Angles [rad], velocities [rad/s] and torques [Nm]; nobody else gets the same array.
+        """
+        if self._used + readings > len(self._drawn):
+            fresh = self._rng.standard_normal((max(_BLOCK, readings), 3, DOF)) * self._deviations
+            self._drawn = np.concatenate((self._drawn[self._used:], fresh))
+            self._used = 0
+        begin, self._used = self._used, self._used + readings
+        return self._drawn[begin:self._used]

@@ -8,14 +8,12 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lwr_description import DOF, Kinematics, Mount
+from lwr_description import Kinematics, Mount
 from lwr_sim_bridge.command_delay import CommandDelay
 from lwr_sim_bridge.command_gate import CommandGate, Refusal
 from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
+from lwr_sim_bridge.control_loop_kernel import ControlLoop
 from lwr_sim_bridge.errors import SimulationError
-from lwr_sim_bridge.impedance import JointImpedance
-from lwr_sim_bridge.interpolator import Interpolator
-from lwr_sim_bridge.momentum_observer import MomentumObserver
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.scene_model import SceneModel
 from lwr_sim_bridge.sensors import Sensors
@@ -27,7 +25,7 @@ TICK = 0.001
 
 
 class SimulatedArm:
-    """Plant, joint impedance controller and torque observer, advanced tick by tick.
+    """Plant, joint impedance controller and torque observer, advanced by whole ticks.
 
     The controller and the observer know the *nominal* arm; the plant is heavier and rubs, as
     `ArmParameters.mismatch` says. Runs with equal arguments, seed and calls are bit-identical.
@@ -48,7 +46,6 @@ class SimulatedArm:
             UnreachableError: the arm cannot reach the start.
 
         """
-        self._parameters = parameters
         self._kinematics = Kinematics(mount)
         self._scene = SceneModel(mount, parameters, scene.obstacles)
         self.model, self.data = self._scene.model, self._scene.data
@@ -60,21 +57,12 @@ class SimulatedArm:
         self._no_warnings = bytes(self._warnings.nbytes)
         self._gate = CommandGate(parameters.command, start)
         self._delay = CommandDelay(round(parameters.command.delay / TICK))
-        self._interpolator = Interpolator(start, parameters.command.time_constant, TICK)
-        self._impedance = JointImpedance(parameters.impedance)
+        self._loop = ControlLoop(parameters, self._kinematics, self._scene, TICK)
+        self._ticks_per_estimate = parameters.observer.ticks
         self._sensors = Sensors(scene.noise, parameters.noise, rng)
         self._truth = ContactTruth(self.model, self.data, self._scene.tool)
-        self._start_observer()
         self._ticks = 0
         self.set_segment(0)
-
-    def _start_observer(self) -> None:
-        mass = self._kinematics.mass_matrix(self._q)
-        self._impedance.adapt(mass)
-        self._observer = MomentumObserver(self._parameters.observer.gain, mass, np.zeros(DOF))
-        self._friction = self.model.dof_damping.copy()
-        self._torque = self._kinematics.gravity(self._q)
-        self._torque_sum = np.zeros(DOF)
 
     @property
     def time(self) -> float:
@@ -130,50 +118,38 @@ class SimulatedArm:
             self._delay.give(self._gate.last)
         return refusal
 
-    def step(self) -> None:
-        """Advance by one tick: joint controller, physics, observer.
+    def step(self, ticks: int = 1) -> None:
+        """Advance: joint controller, physics, observer; several ticks at once are cheaper.
 
         Raises:
             SimulationError: the simulator has warned or its state is not finite.
 
         """
-        desired = self._interpolator
-        arrived = self._delay.due()
-        if arrived is not None:
-            desired.command(arrived)
-        desired.step()
-        gravity = self._kinematics.gravity(self._q)
-        self._torque = self._impedance.torque(
-            self._q, self._v, desired.position, desired.velocity, gravity
-        )
-        self.data.ctrl = self._torque
-        mujoco.mj_step(self.model, self.data)
-        self._ticks += 1
-        self._check()
-        self._truth.update()
-        self._scene.settle()
-        self._torque_sum += self._torque
-        if self._ticks % self._parameters.observer.ticks == 0:
-            self._observe()
+        end, estimates = self._ticks + ticks, self._ticks // self._ticks_per_estimate
+        noise = self._sensors.noise(end // self._ticks_per_estimate - estimates)
+        while self._ticks < end:
+            arrived = self._delay.due()
+            if arrived is not None:
+                self._loop.head_for(arrived)
+            # The truth of a contact and obstacles that wait are looked at in every tick.
+            alone = self._truth.fading or self._scene.waiting
+            most = 1 if alone else min(end - self._ticks, 1 + self._delay.quiet)
+            done = self._loop.run(
+                int(most), noise[self._ticks // self._ticks_per_estimate - estimates:]
+            )
+            self._delay.skip(done - 1)
+            self._ticks += done
+            self._check()
+            self._truth.update()
+            self._scene.settle()
 
     def sample(self, stamp_ns: int) -> JointSample:
         """Return what the arm measures now, noise included, stamped `stamp_ns` [ns].
 
         The external torque is the arm's own estimate: it knows nothing of the true contacts.
         """
-        position, velocity, torque = self._sensors.read(self._q, self._v, self._torque)
-        return JointSample(stamp_ns, position, velocity, torque, self._observer.residual.copy())
-
-    def _observe(self) -> None:
-        ticks = self._parameters.observer.ticks
-        position, velocity, torque = self._sensors.read(
-            self._q, self._v, self._torque_sum / ticks
-        )
-        mass, bias = self._kinematics.mass_and_bias(position, velocity)
-        bias += self._friction * velocity
-        self._observer.update(mass, velocity, bias, torque, ticks * TICK)
-        self._impedance.adapt(mass)
-        self._torque_sum[:] = 0.0
+        measured = self._loop.measure(self._sensors.noise(1)[0])
+        return JointSample(stamp_ns, *measured, self._loop.residual.copy())
 
     def _check(self) -> None:
         # MuJoCo looks for numbers that are not finite, warns and resets before each step.

@@ -50,6 +50,22 @@ def test_every_command_arrives_exactly_so_many_ticks_later(late, given_at):
     assert arrived == {tick + late: float(tick) for tick in given_at}
 
 
+@given(late=st.integers(0, 20), given_at=st.sets(st.integers(0, 60)), most=st.integers(1, 8))
+def test_ticks_in_which_nothing_arrives_may_be_skipped(late, given_at, most):
+    delay, tick, arrived = CommandDelay(late), 0, {}
+    while tick < 90:
+        if tick in given_at:
+            delay.give(np.full(7, float(tick)))
+        q = delay.due()
+        if q is not None:
+            arrived[tick] = q[0]
+        until_given = min((t for t in given_at if t > tick), default=90) - tick - 1
+        skipped = min(most, delay.quiet, until_given)
+        delay.skip(skipped)
+        tick += 1 + skipped
+    assert arrived == {tick + late: float(tick) for tick in given_at}
+
+
 def test_of_commands_that_arrive_together_the_last_counts():
     delay = CommandDelay(0)
     q = np.zeros(7)

@@ -6,8 +6,7 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
-from lwr_description import Kinematics, Mount
-from lwr_tracking.core.contact_observer import ContactObserver, Touch, tip_force
+from lwr_tracking.core.contact_observer import ContactObserver, Touch
 from lwr_tracking.core.parameters import ContactParameters
 from srnn_config import ParameterError
 
@@ -49,14 +48,6 @@ def test_what_is_left_of_a_contact_is_not_the_next_one():
     assert set(touches(observer, [4.0, 4.0])) == {Touch.NONE}
     assert not observer.loaded
     assert touches(observer, [20.0, 20.0]) == [Touch.NONE, Touch.FORCE]
-
-
-def test_the_force_is_recovered_from_the_torques_it_causes():
-    kinematics = Kinematics(Mount())
-    force = np.array([12.0, -7.0, 3.0])
-    for x, y in [(0.0, 0.0), (0.28, 0.2), (-0.25, -0.28)]:
-        jacobian = kinematics.jacobian(kinematics.inverse((x, y, 0.0)))
-        np.testing.assert_allclose(tip_force(jacobian, jacobian.T @ force), force, atol=1e-9)
 
 
 def test_a_hysteresis_upside_down_is_refused():

@@ -58,8 +58,7 @@ class MujocoWorld:
 
     def advance(self) -> tuple[Finished, ...]:
         """Advance by one measurement of the arm and return the segments that are over."""
-        for _ in range(TICKS_PER_CYCLE):
-            self.arm.step()
+        self.arm.step(TICKS_PER_CYCLE)
         now = self.arm.time
         tick = self.tracker.tick(now, self.arm.sample(round(now * 1e9)))
         self.command = tick.command

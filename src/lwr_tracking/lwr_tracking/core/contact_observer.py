@@ -4,13 +4,7 @@
 from enum import Enum
 from math import hypot
 
-import numpy as np
-from numpy.typing import NDArray
-
 from lwr_tracking.core.parameters import ContactParameters
-from lwr_tracking.core.spd_solve import solve_spd3
-
-Array = NDArray[np.float64]
 
 
 class Touch(Enum):
@@ -19,20 +13,6 @@ class Touch(Enum):
     NONE = ''
     FORCE = 'contact force'
     ERROR = 'tracking error'
-
-
-def tip_force(jacobian: Array, external_torque: Array) -> Array:
-    """Return the tip force (3,) [N] that explains external torques best.
-
-    Least squares of J^T f = tau: f = (J J^T)^-1 J tau. On this mount it finds contacts as
-    early as the dynamically consistent inverse, without the mass matrix in every cycle.
-
-    Args:
-        jacobian: (3, 7) [m/rad].
-        external_torque: (7,) [Nm].
-
-    """
-    return solve_spd3(jacobian.dot(jacobian.T), jacobian.dot(external_torque))
 
 
 class ContactObserver:

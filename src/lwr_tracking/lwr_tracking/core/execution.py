@@ -68,6 +68,8 @@ class Execution:
         self._expected = self._delay.push(dt, self._entry())
         self.error = np.array(self._expected[:3]) - tip
         self._record(tip)
+        if not self._ending:
+            return ()
         finished = tuple(_done(recorder) for recorder in self._ending if recorder.complete)
         self._ending = [recorder for recorder in self._ending if not recorder.complete]
         return finished

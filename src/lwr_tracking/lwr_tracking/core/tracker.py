@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lwr_description import Kinematics
-from lwr_tracking.core.contact_observer import ContactObserver, Touch, tip_force
+from lwr_tracking.core.contact_observer import ContactObserver, Touch
 from lwr_tracking.core.counters import Counters
 from lwr_tracking.core.errors import ClockError
 from lwr_tracking.core.execution import Execution, Finished
@@ -17,6 +17,7 @@ from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.segment_gate import Admission, Join, judge
+from lwr_tracking.core.tip_estimate_kernel import TipEstimate
 from lwr_tracking.core.tracking_law import TrackingLaw
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.result import ResultCode, SegmentResult
@@ -59,7 +60,7 @@ class Tracker:
         self.conditions = Condition.NOT_STARTED
         self.counters = Counters()
         self._parameters = parameters
-        self._kinematics = kinematics
+        self._estimate = TipEstimate(kinematics)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
         self._contact = ContactObserver(parameters.contact)
         self._execution: Execution | None = None
@@ -124,13 +125,13 @@ class Tracker:
         if not _usable(sample):
             self._fault(Condition.BAD_SAMPLE)
             return self._answer()
-        self.tip, jacobian = self._kinematics.tip_and_jacobian(sample.position)
+        self.tip, force = self._estimate.measure(sample.position, sample.external_torque)
         execution = self._execution or self._start(sample)
         if self._diverged(sample):
             self._fault(Condition.DIVERGED)
             self._law.follow(sample.position, dt)
             return self._answer()
-        self._advance(execution, dt, tip_force(jacobian, sample.external_torque))
+        self._advance(execution, dt, force)
         self._law.step(execution.reference.position, dt, settle=not self.latched)
         return self._answer()
 
@@ -179,7 +180,8 @@ class Tracker:
         return max(map(abs, distance)) > self._parameters.limits.joint_divergence
 
     def _advance(self, execution: Execution, dt: float, force: Array) -> None:
-        execution.reference.paused = decide(self.conditions).reaction >= Reaction.SOFT_STOP
+        decision = decide(self.conditions)
+        execution.reference.paused = decision.reaction >= Reaction.SOFT_STOP
         stops_before = execution.reference.soft_stops
         self._finish(execution.advance(dt, self.tip))
         self.counters.soft_stops += execution.reference.soft_stops - stops_before
@@ -189,7 +191,7 @@ class Tracker:
         running = execution.reference.running is not None
         if touch is Touch.ERROR or (touch is Touch.FORCE and running):
             self._touch(touch, running)
-        elif not self._contact.loaded and not self.latched:
+        elif not self._contact.loaded and not decision.latched:
             # Under load the integral would only wind up against the obstacle.
             self._law.correct(execution.error, dt)
 

@@ -5,8 +5,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lwr_description import POSITION_MAX, VELOCITY_MAX, Kinematics
+from lwr_description.compiled import compiled
+from lwr_tracking.core.bounded_sum import add_bounded
 from lwr_tracking.core.parameters import LawParameters, LimitParameters
-from lwr_tracking.core.spd_solve import solve_spd3
+from lwr_tracking.core.resolved_rate import Bounds
+from lwr_tracking.core.resolved_rate_kernel import ResolvedRate
 
 Array = NDArray[np.float64]
 
@@ -32,14 +35,19 @@ class TrackingLaw:
         self.command = np.array(kinematics.home)
         self.correction = np.zeros(3)
         self._law = law
-        self._kinematics = kinematics
-        self._position_max = POSITION_MAX - limits.position_margin
         self._velocity_max = VELOCITY_MAX * limits.velocity_share
-        self._damping = law.damping**2 * np.eye(3)
+        bounds = Bounds(
+            POSITION_MAX - limits.position_margin,
+            self._velocity_max,
+            law.tip_speed,
+            law.damping**2,
+        )
+        self._inverse = ResolvedRate(kinematics, bounds)
+        self._add = compiled(add_bounded, np.zeros(3), np.zeros(3), 0.0, 0.0)
 
     def start(self, position: Array) -> None:
         """Command the measured joint angles (7,) [rad], without correction."""
-        self.command = np.array(position)
+        self.command = np.array(position, dtype=np.float64)
         self.correction = np.zeros(3)
 
     def follow(self, position: Array, dt: float) -> None:
@@ -49,10 +57,8 @@ class TrackingLaw:
 
     def correct(self, error: Array, dt: float) -> None:
         """Integrate where the tip should be minus where it is, (3,) [m], over `dt` [s]."""
-        limit = self._law.integral_limit
-        self.correction += self._law.integral_gain * dt * error
-        np.minimum(self.correction, limit, out=self.correction)
-        np.maximum(self.correction, -limit, out=self.correction)
+        law = self._law
+        self._add(self.correction, error, law.integral_gain * dt, law.integral_limit)
 
     def step(self, target: Array, dt: float, settle: bool = True) -> Array:
         """Return the command (7,) [rad] whose tip is nearest to the target after `dt`.
@@ -63,27 +69,6 @@ class TrackingLaw:
             settle: draw the joints home as well.
 
         """
-        tip, jacobian = self._kinematics.tip_and_jacobian(self.command)
-        wanted = self._bounded(target + self.correction - tip, self._law.tip_speed * dt)
-        rate = self._law.posture_gain * dt if settle else 0.0
-        posture = (self._kinematics.home - self.command) * rate
-        gram = jacobian.dot(jacobian.T) + self._damping
-        move = posture + jacobian.T.dot(solve_spd3(gram, wanted - jacobian.dot(posture)))
-        # One factor for all joints keeps the direction of the tip.
-        excess = max(map(abs, (move / self._velocity_max).tolist()))
-        if excess > dt:
-            move *= dt / excess
-        self.command = self._within_limits(self.command + move)
+        draw = self._law.posture_gain * dt if settle else 0.0
+        self.command = self._inverse.step(self.command, target + self.correction, dt, draw)
         return self.command
-
-    def _within_limits(self, command: Array) -> Array:
-        # A command that starts outside the limits must not jump back inside.
-        high = np.maximum(self._position_max, self.command)
-        low = np.minimum(-self._position_max, self.command)
-        within: Array = np.minimum(np.maximum(command, low), high)
-        return within
-
-    @staticmethod
-    def _bounded(vector: Array, length: float) -> Array:
-        size = float(vector.dot(vector)) ** 0.5
-        return vector if size <= length else vector * (length / size)
