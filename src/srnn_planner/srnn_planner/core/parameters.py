@@ -139,7 +139,7 @@ class SelectionParameters(Parameters):
     """Which samples are averaged into the plan."""
 
     caution: float = parameter(
-        0.3, unit='units', minimum=0.0, maximum=10.0,
+        0.6, unit='units', minimum=0.0, maximum=10.0,
         doc='best_mode: the worst blockage on a path counts as if it lasted for this long.',
     )
     rule: str = parameter(
@@ -151,7 +151,7 @@ class SelectionParameters(Parameters):
         doc='three_sigma: share of the closest samples that judge a reference sample.',
     )
     mode_share: float = parameter(
-        0.2, above=0.0, maximum=1.0,
+        0.1, above=0.0, maximum=1.0,
         doc='mode_seeking, best_mode: share of the samples that forms the averaged mode.',
     )
 

@@ -145,7 +145,9 @@ class SegmentPlanner:
         """Plan one segment."""
         origin = request.measured if request.retreat_to is None else request.retreat_to
         position = self.model.workspace.to_units(origin)
-        self._fatigue.visit(position, request.target)
+        if request.retreat_to is None:
+            # After a contact it is learning that shows the way out.
+            self._fatigue.visit(position, request.target)
         self._goals.clear()
         paths, valid = self.sample(position, request.target)
         kept = np.zeros(len(paths), dtype=bool)
