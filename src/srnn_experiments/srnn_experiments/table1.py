@@ -7,7 +7,8 @@ from dataclasses import asdict, replace
 import io
 from typing import Any
 
-from srnn_experiments.intervals import describe, paired_interval, share_interval
+from srnn_experiments.estimates import mean_text, share_estimate, share_text
+from srnn_experiments.intervals import describe, paired_interval
 from srnn_experiments.paper import TABLE_1
 from srnn_experiments.setting import Setting
 
@@ -98,9 +99,7 @@ def row(trials: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     for name in COLUMNS:
         values = [value for t in trials if (value := figure(t, name)) is not None]
         result[name] = describe(values) if values else None
-    count = sum(map(learned, trials))
-    low, high = share_interval(count, len(trials))
-    result['learned'] = {'share': count / len(trials), 'low': low, 'high': high}
+    result['learned'] = share_estimate(sum(map(learned, trials)), len(trials))
     return result
 
 
@@ -138,8 +137,7 @@ def as_markdown(table: Mapping[str, Mapping[str, Any]]) -> str:
         '|---' * (2 + len(COLUMNS)) + '|',
     ]
     for name, values in table.items():
-        share = values['learned']
-        cells = [f'{share["share"]:.0%} [{share["low"]:.0%}, {share["high"]:.0%}]']
+        cells = [share_text(values['learned'])]
         cells += [_cell(name, column, values[column]) for column in COLUMNS]
         lines.append(f'| {name} | ' + ' | '.join(cells) + ' |')
     return '\n'.join(lines) + '\n'
@@ -148,7 +146,7 @@ def as_markdown(table: Mapping[str, Mapping[str, Any]]) -> str:
 def _cell(name: str, column: str, values: Mapping[str, float] | None) -> str:
     if values is None:
         return '–'
-    text = f'{values["mean"]:.3g} ± {values["sd"]:.2g} [{values["low"]:.3g}, {values["high"]:.3g}]'
+    text = mean_text(values)
     if name in TABLE_1 and column in _OF_PAPER:
         mean, sd = asdict(TABLE_1[name])[_OF_PAPER[column]]
         text += f' (paper {mean:g} ± {sd:g})'
