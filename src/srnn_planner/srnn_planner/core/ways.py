@@ -33,6 +33,7 @@ class Ways:
         self._length = np.linalg.norm(step, axis=1)
         spacing = 2.0 / (neurons.parameters.neurons_per_dimension - 1)
         self._reach = 1.5 * spacing
+        self._rested = b'', np.zeros(0)
 
     def remaining(
         self,
@@ -67,7 +68,10 @@ class Ways:
         Where nothing was learned no way gets longer, so that the field of a way point is
         the one of the prior there.
         """
-        return np.asarray(np.maximum(remaining - self._distances(self._length, target), 0.0))
+        key = target.tobytes()
+        if self._rested[0] != key:
+            self._rested = key, self._distances(self._length, target)
+        return np.asarray(np.maximum(remaining - self._rested[1], 0.0))
 
     def _distances(
         self, cost: NDArray[np.float64], target: NDArray[np.float64]
