@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One obstacle of a scene as a MuJoCo geometry."""
 
-from math import cos, pi, sin
+from math import cos, sin
 
 import mujoco
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from lwr_description import Mount
 from lwr_sim_bridge.errors import SceneShapeError
 from lwr_sim_bridge.parameters import ContactParameters
+from srnn_config.convex import MUST, is_convex
 from srnn_config.scene import Obstacle
 
 TOP = 0.01
@@ -54,25 +55,12 @@ def add_obstacle(
         geom.type = mujoco.mjtGeom.mjGEOM_CYLINDER
         geom.size = [obstacle.radius, half_height, 0.0]
     else:
-        outline = _convex(np.array(obstacle.points), name)
+        outline = np.array(obstacle.points)
+        if not is_convex(outline):
+            raise SceneShapeError(f'{name}: points = {outline.tolist()}: {MUST}')
         spec.add_mesh(name=name, uservert=_prism(outline, half_height).ravel())
         geom.type = mujoco.mjtGeom.mjGEOM_MESH
         geom.meshname = name
-
-
-def _convex(points: NDArray[np.float64], name: str) -> NDArray[np.float64]:
-    """Return `points` (n, 2) if walking round them turns one way, once."""
-    edges = np.roll(points, -1, axis=0) - points
-    following = np.roll(edges, -1, axis=0)
-    cross = edges[:, 0] * following[:, 1] - edges[:, 1] * following[:, 0]
-    turns = np.arctan2(cross, (edges * following).sum(axis=1))
-    turns *= 1.0 if turns.sum() > 0.0 else -1.0
-    if turns.min() < 0.0 or turns.max() > 0.99 * pi or turns.sum() > 2.5 * pi:
-        raise SceneShapeError(
-            f'{name}: points = {points.tolist()}: must go once round a convex polygon; '
-            f'describe other shapes by several convex obstacles'
-        )
-    return points
 
 
 def _prism(outline: NDArray[np.float64], half_height: float) -> NDArray[np.float64]:

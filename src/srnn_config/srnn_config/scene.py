@@ -6,6 +6,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from srnn_config.convex import MUST, is_convex
 from srnn_config.errors import ParameterError, UnknownKeyError
 from srnn_config.fields import Parameters, parameter
 from srnn_config.loading import build, read_yaml
@@ -163,6 +166,8 @@ def _obstacle(data: Any, where: str) -> Obstacle:
         size = _point(data.get('size'), f'{where}.size', low=0.004, high=2 * EDGE)
         return Obstacle(**common, size=size)
     points = _points(data.get('points'), f'{where}.points', at_least=3)
+    if not is_convex(np.array(points)):
+        raise ParameterError(f'{where}.points = {[list(point) for point in points]}: {MUST}')
     return Obstacle(**common, points=points)
 
 

@@ -96,6 +96,11 @@ def test_unknown_keys_are_refused_with_the_valid_ones(path, complaint):
         (('obstacles', 1, 'appears_at'), 1.5, 'must be a whole number >= 0'),
         (('obstacles', 1, 'disappears_at'), 5, 'must be > appears_at = 5'),
         (('obstacles', 2, 'points'), [[0.0, 0.0]], 'must be a list of at least 3'),
+        (
+            ('obstacles', 2, 'points'), [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.05, 0.02]],
+            'scene.obstacles[2].points = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.05, 0.02]]: '
+            'must go once round a convex polygon',
+        ),
     ],
 )
 def test_impossible_values_are_refused_with_their_place(path, value, complaint):
