@@ -117,7 +117,6 @@ class SegmentPlanner:
         self._blockage = self._belief.of(self.weights)
         self._fatigue = Fatigue(self.neurons)
         self._centres: dict[bytes, NDArray[np.float64]] = {}
-        self._goals: dict[bytes, Goal] = {}
 
     def warm_up(self) -> None:
         """Compile every kernel without touching the stream of random numbers."""
@@ -125,7 +124,6 @@ class SegmentPlanner:
         self._rng, self._uniform_rng = np.random.default_rng(0).spawn(2)
         rest = Motion(np.zeros(self._dimensions), np.zeros(self._dimensions))
         self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
-        self._goals.clear()
         self._centres.clear()
         self._fatigue = Fatigue(self.neurons)
         self._rng, self._uniform_rng = kept
@@ -139,7 +137,6 @@ class SegmentPlanner:
         """
         self.weights = self.neurons.check_weights(weights)
         self._blockage = self._belief.of(self.weights)
-        self._goals.clear()
 
     def plan(self, request: PlanRequest) -> Plan:
         """Plan one segment."""
@@ -148,30 +145,24 @@ class SegmentPlanner:
         if request.retreat_to is None:
             # After a contact it is learning that shows the way out.
             self._fatigue.visit(position, request.target)
-        self._goals.clear()
-        paths, valid = self.sample(position, request.target)
+        goal = self._goal(request.target)
+        paths, valid = self._sample(position, goal.context)
         kept = np.zeros(len(paths), dtype=bool)
         if valid.mean() < self.planning.sampling.valid_share:
             return Plan(None, paths, kept)
         kept[valid] = select(
-            paths[valid], self.planning.selection, partial(self._cost, request)
+            paths[valid], self.planning.selection, partial(self._cost, request, goal)
         )
         average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
         extent = self.model.workspace.half_extent
         trajectory = segment_along(average, request, self.planning.trajectory, extent)
         return Plan(trajectory, paths, kept)
 
-    def sample(
-        self, position: NDArray[np.float64], target: NDArray[np.float64]
+    def _sample(
+        self, position: NDArray[np.float64], context: ContextPopulation
     ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-        """Sample movements from `position` (d,) towards `target` (d,), both in units.
-
-        Returns:
-            Decoded paths (S, T, d) [units] and which of them are valid (S,).
-
-        """
+        """Return decoded paths (S, T, d) from a position (d,) and which are valid (S,)."""
         network, sampling = self.model.network, self.planning.sampling
-        context = self._goal(target).context
         start = self.neurons.responsibilities(position[None])[0]
         size = (sampling.samples, sampling.steps)
         given = SampleInput(
@@ -208,9 +199,10 @@ class SegmentPlanner:
     def _dimensions(self) -> int:
         return self.model.network.dimensions
 
-    def _cost(self, request: PlanRequest, paths: NDArray[np.float64]) -> NDArray[np.float64]:
-        remaining = self._goal(request.target).remaining
-        left = self.neurons.interpolate(remaining, paths[:, -1])
+    def _cost(
+        self, request: PlanRequest, goal: Goal, paths: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        left = self.neurons.interpolate(goal.remaining, paths[:, -1])
         away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
         left[away <= request.reach] = 0.0
         met = graze(paths, self.neurons, self._blockage, self.planning.selection.caution)
@@ -221,17 +213,13 @@ class SegmentPlanner:
         parameters = self.planning.context
         if key not in self._centres:
             self._centres[key] = draw_centres(target, parameters, self._rng)
-        if key not in self._goals:
-            remaining = self._ways.remaining(
-                self.weights, target, parameters.aversion,
-                parameters.fatigue * self._fatigue.visits,
-            )
-            context = way_point_population(
-                self._centres[key], self.neurons.positions, self.planning.sampling.steps,
-                parameters, self._ways.detour(remaining, target),
-            )
-            self._goals[key] = Goal(context, remaining)
-        return self._goals[key]
+        fatigue = parameters.fatigue * self._fatigue.visits
+        remaining = self._ways.remaining(self.weights, target, parameters.aversion, fatigue)
+        context = way_point_population(
+            self._centres[key], self.neurons.positions, self.planning.sampling.steps,
+            parameters, self._ways.detour(remaining, target),
+        )
+        return Goal(context, remaining)
 
 
 def segment_along(
