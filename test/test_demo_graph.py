@@ -173,12 +173,12 @@ def test_demo_can_be_interrupted_before_anything_moves(start, tmp_path):
 
 
 def test_a_node_that_cannot_be_configured_is_named_with_its_reason(start, tmp_path):
-    scene = SCENE + '  - {shape: polygon, points: [[0, 0], [0.1, 0], [0.02, 0.02], [0, 0.1]]}\n'
-    (tmp_path / 'hollow.yaml').write_text(scene)
-    srnn = start('demo', '--scene', 'hollow.yaml')
+    scene = SCENE + '  - {shape: polygon, points: [[0, 0], [1.0e-7, 0], [0, 1.0e-7]]}\n'
+    (tmp_path / 'tiny.yaml').write_text(scene)
+    srnn = start('demo', '--scene', 'tiny.yaml')
     assert srnn.wait(START_S) == 1
     assert 'srnn demo: sim_bridge refuses to configure' in srnn.text
-    assert 'convex' in srnn.text
+    assert 'too small' in srnn.text
     assert nothing_left(srnn, tmp_path)
 
 
