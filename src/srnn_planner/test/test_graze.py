@@ -31,11 +31,11 @@ def test_in_even_blockage_its_root_times_length_and_caution_count():
 
 def test_round_a_blocked_place_nothing_is_met_and_through_it_most():
     blockage = np.exp(-0.5 * (NEURONS.positions**2).sum(axis=1) / 0.15**2)
-    through = straight((-0.6, 0.0), (0.6, 0.0), 21)
+    through = straight((-0.8, 0.0), (0.8, 0.0), 21)
     bend = np.column_stack([np.zeros(21), np.sin(np.linspace(0.0, np.pi, 21))])
     paths = through + np.array([0.0, 0.3, 0.9])[:, None, None] * bend
-    centre, edge, clear = graze(paths, NEURONS, blockage, 0.2)
-    assert centre > 1.5 * edge > 5.0 * clear
+    centre, edge, clear = graze(paths, NEURONS, blockage**2, 0.2)
+    assert centre > 2.0 * edge > 20.0 * clear
 
 
 def test_blockage_is_the_root_mean_square_loss_of_what_excited_a_neuron():
