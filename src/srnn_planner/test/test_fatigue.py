@@ -42,8 +42,8 @@ def test_another_target_is_approached_afresh():
 
 def test_fatigue_makes_ways_longer_from_where_the_arm_was_and_none_shorter():
     ways = Ways(NEURONS, FREE)
-    rested = ways.remaining(PRIOR, TARGET, 6.0)
-    after = ways.remaining(PRIOR, TARGET, 6.0, 8.0 * tired(6).visits)
+    rested = ways.remaining(ways.tolls(PRIOR, 6.0), TARGET, FREE)
+    after = ways.remaining(ways.tolls(PRIOR, 6.0), TARGET, 8.0 * tired(6).visits)
     assert (after >= rested - 1e-12).all()
     assert after[nearest(0.0, 0.0)] > rested[nearest(0.0, 0.0)] + 0.2
     # Behind it, the way leads round; between it and the target nothing changes.
@@ -60,7 +60,7 @@ def test_the_longer_way_round_wins_in_the_end():
     near, far = nearest(0.0, 0.43), nearest(0.0, -0.57)
 
     def remaining():
-        return ways.remaining(weights, TARGET, 6.0, 8.0 * fatigue.visits)
+        return ways.remaining(ways.tolls(weights, 6.0), TARGET, 8.0 * fatigue.visits)
 
     assert remaining()[near] < remaining()[far]
     for _ in range(20):

@@ -35,7 +35,7 @@ def at(x, y):
 
 def detour(weights, aversion, target=TARGET, inhibition=FREE):
     ways = Ways(NEURONS, inhibition)
-    return ways.detour(ways.remaining(weights, target, aversion), target)
+    return ways.detour(ways.remaining(ways.tolls(weights, aversion), target, FREE), target)
 
 
 @settings(max_examples=25, deadline=None)
@@ -51,7 +51,8 @@ def test_detours_are_never_negative_and_grow_with_aversion(seed, aversion):
 
 def test_nothing_learned_means_no_detour_and_hardly_more_than_the_beeline():
     assert not detour(PRIOR, 5.0).any()
-    remaining = Ways(NEURONS, FREE).remaining(PRIOR, TARGET, 5.0)
+    ways = Ways(NEURONS, FREE)
+    remaining = ways.remaining(ways.tolls(PRIOR, 5.0), TARGET, FREE)
     beeline = np.linalg.norm(NEURONS.positions - TARGET, axis=1)
     assert (remaining >= beeline - 1e-12).all()
     # Steps reach up to two neurons far, in 16 directions.

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_config.scene import Obstacle
-from srnn_planner.core.blockage import Blockage
 from srnn_planner.core.context import ContextPopulation, draw_centres, way_point_population
 from srnn_planner.core.decoding import decode, window
 from srnn_planner.core.encoding import draw_history, spike_probability
@@ -113,8 +112,7 @@ class SegmentPlanner:
         positions = model.workspace.to_metres(self.neurons.positions)
         self._bias = obstacle_input(positions, known, planning.obstacles)
         self._ways = Ways(self.neurons, self._bias)
-        self._belief = Blockage(self.neurons, self._bias)
-        self._blockage = self._belief.of(self.weights)
+        self._believe()
         self._fatigue = Fatigue(self.neurons)
         self._centres: dict[bytes, NDArray[np.float64]] = {}
 
@@ -136,7 +134,7 @@ class SegmentPlanner:
 
         """
         self.weights = self.neurons.check_weights(weights)
-        self._blockage = self._belief.of(self.weights)
+        self._believe()
 
     def plan(self, request: PlanRequest) -> Plan:
         """Plan one segment."""
@@ -195,6 +193,11 @@ class SegmentPlanner:
         assert draws is not None
         return draws
 
+    def _believe(self) -> None:
+        """Find out what the weights say of where the arm can go."""
+        self._blockage = self._ways.blockage.of(self.weights)
+        self._tolls = self._ways.tolls(self.weights, self.planning.context.aversion)
+
     @property
     def _dimensions(self) -> int:
         return self.model.network.dimensions
@@ -214,7 +217,7 @@ class SegmentPlanner:
         if key not in self._centres:
             self._centres[key] = draw_centres(target, parameters, self._rng)
         fatigue = parameters.fatigue * self._fatigue.visits
-        remaining = self._ways.remaining(self.weights, target, parameters.aversion, fatigue)
+        remaining = self._ways.remaining(self._tolls, target, fatigue)
         context = way_point_population(
             self._centres[key], self.neurons.positions, self.planning.sampling.steps,
             parameters, self._ways.detour(remaining, target),

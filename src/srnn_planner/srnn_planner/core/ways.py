@@ -14,6 +14,10 @@ class Ways:
 
     A synapse that excites by the prior is a step that the arm can make. The more of its
     weight is lost, and the more of those around it, the longer the step counts.
+
+    Attributes:
+        blockage: what is blocked for the network, by its weights.
+
     """
 
     def __init__(self, neurons: StateNeurons, inhibition: NDArray[np.float64]) -> None:
@@ -26,8 +30,8 @@ class Ways:
         """
         self._neurons = neurons
         self._inhibition = inhibition
-        self._blockage = Blockage(neurons, inhibition)
-        self._post, self._pre = np.nonzero(self._blockage.neighbours.T)
+        self.blockage = Blockage(neurons, inhibition)
+        self._post, self._pre = np.nonzero(self.blockage.neighbours.T)
         self._first = np.searchsorted(self._post, np.arange(len(inhibition) + 1))
         step = neurons.positions[self._pre] - neurons.positions[self._post]
         self._length = np.linalg.norm(step, axis=1)
@@ -35,30 +39,37 @@ class Ways:
         self._reach = 1.5 * spacing
         self._rested = b'', np.zeros(0)
 
+    def tolls(self, weights: NDArray[np.float32], aversion: float) -> NDArray[np.float64]:
+        """Return how many steps each step counts as (E,), by what its synapses have lost.
+
+        Args:
+            weights: (K, K) recurrent weights w[pre, post].
+            aversion: a step whose synapse has lost 1 counts as 1 + aversion steps.
+
+        """
+        change = self._neurons.prior_weights - weights - self._inhibition
+        around = self.blockage.around(self.blockage.of(weights))
+        lost = np.clip(change[self._pre, self._post], 0.0, 2.0) + around[self._post]
+        return np.asarray(1.0 + aversion * lost)
+
     def remaining(
         self,
-        weights: NDArray[np.float32],
+        tolls: NDArray[np.float64],
         target: NDArray[np.float64],
-        aversion: float,
-        fatigue: NDArray[np.float64] | float = 0.0,
+        fatigue: NDArray[np.float64],
     ) -> NDArray[np.float64]:
         """Return the length of the way from each neuron to the target.
 
         Args:
-            weights: (K, K) recurrent weights w[pre, post].
+            tolls: (E,) of every step, see `tolls`.
             target: (d,) [units].
-            aversion: a step whose synapse has lost 1 counts as 1 + aversion steps.
-            fatigue: (K,) or one number for all: a step from there counts as this many more.
+            fatigue: (K,) a step from each neuron counts as this many more.
 
         Returns:
             (K,) [units].
 
         """
-        change = self._neurons.prior_weights - weights - self._inhibition
-        around = self._blockage.around(self._blockage.of(weights))
-        lost = np.clip(change[self._pre, self._post], 0.0, 2.0) + around[self._post]
-        tired = np.broadcast_to(fatigue, len(around))[self._pre]
-        return self._distances(self._length * (1.0 + aversion * lost + tired), target)
+        return self._distances(self._length * (tolls + fatigue[self._pre]), target)
 
     def detour(
         self, remaining: NDArray[np.float64], target: NDArray[np.float64]
