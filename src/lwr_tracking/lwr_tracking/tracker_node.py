@@ -68,6 +68,7 @@ class TrackerNode(WorkspaceNode):
         """Build the arm's kinematics, connect topics and services."""
         self._parameters = parameters.tracking
         self._kinematics = Kinematics(parameters.mount)
+        Tracker(self._parameters, self._kinematics)  # Compiles what activation must not wait for.
         self._external: Any = None
         self._sample: JointSample | None = None
         self._arrival = 0.0
