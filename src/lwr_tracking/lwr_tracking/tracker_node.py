@@ -92,6 +92,8 @@ class TrackerNode(WorkspaceNode):
     def activate(self) -> None:
         """Hold the arm where it is; segments are accepted from the first measurement on."""
         self._tracker = Tracker(self._parameters, self._kinematics)
+        # Joint states are heard while inactive as well: the watch on them begins now.
+        self._sample, self._overdue = None, False
 
     def deactivate(self) -> None:
         """Bring the arm to rest on its path, then command nothing more."""
