@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the tracker's node does between two states."""
+
+from collections.abc import Iterator
+import os
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import rclpy
+from rclpy.lifecycle import TransitionCallbackReturn
+
+from lwr_description import Mount
+from lwr_tracking import tracker_node
+from lwr_tracking.tracker_node import TrackerNode
+from srnn_msgs_py.joints import JointSample
+
+SUCCESS = TransitionCallbackReturn.SUCCESS
+
+COMPILED_WHEN_ACTIVE = """
+from numba.core import event
+import rclpy
+from test_tracker_node import at_rest
+from lwr_tracking.tracker_node import TrackerNode
+rclpy.init()
+node = TrackerNode()
+with event.install_recorder('numba:compile') as before:
+    node.trigger_configure()
+with event.install_recorder('numba:compile') as after:
+    node.trigger_activate()
+    for _ in range(5):
+        node._on_sample(at_rest())
+print(len(before.buffer), len(after.buffer))
+"""
+
+
+def at_rest() -> JointSample:
+    zero = np.zeros(7)
+    return JointSample(1, np.array(Mount().home), zero, zero.copy(), zero.copy())
+
+
+@pytest.fixture
+def tracker() -> Iterator[TrackerNode]:
+    rclpy.init(args=[])
+    node = TrackerNode()
+    assert node.trigger_configure() == SUCCESS
+    yield node
+    node.destroy_node()
+    rclpy.shutdown()
+
+
+def test_joint_states_of_before_the_activation_are_not_missed_after_it(tracker, monkeypatch):
+    """However long the activation takes, and whatever was heard before it."""
+    monkeypatch.setattr(tracker_node, 'SILENCE', 0.0)
+    monkeypatch.setattr(tracker_node, 'SECOND_LOOK', 0.0)
+    for _ in range(2):
+        tracker._on_sample(at_rest())
+        time.sleep(0.01)
+        assert tracker.trigger_activate() == SUCCESS
+        assert tracker.seconds_to_tick() is None
+        tracker._on_sample(at_rest())
+        assert tracker.seconds_to_tick() <= 0.0
+        assert tracker.trigger_deactivate() == SUCCESS
+
+
+def test_without_joint_states_the_arm_is_stopped_at_the_second_look(tracker):
+    assert tracker.trigger_activate() == SUCCESS
+    tracker._on_sample(at_rest())
+    tracker.on_tick()
+    assert not tracker._tracker.latched
+    tracker.on_tick()
+    assert tracker._tracker.latched
+
+
+def test_nothing_is_compiled_once_the_tracker_is_configured(tmp_path):
+    environment = {**os.environ, 'NUMBA_CACHE_DIR': str(tmp_path)}
+    done = subprocess.run(
+        [sys.executable, '-c', COMPILED_WHEN_ACTIVE], cwd=os.path.dirname(__file__),
+        env=environment, capture_output=True, text=True, timeout=120, check=True,
+    )  # fmt: skip
+    before, after = map(int, done.stdout.split()[-2:])
+    assert before > 0
+    assert after == 0
