@@ -181,6 +181,21 @@ def test_planner_that_is_refused_again_and_again_asks_less_and_less_often(sequen
     assert sequencer.wake_time() - now == pytest.approx(RETRY)
 
 
+def test_a_plan_that_came_to_nothing_is_made_again_until_a_segment_is_executed(sequencer):
+    assert not sequencer.request(0.0).again
+    sequencer.failed(0.01, now=0.0)
+    assert sequencer.request(1.0).again
+    sequencer.sent(1, straight(), 0.01, now=1.0)
+    sequencer.result(result(1, ResultCode.REJECTED), now=1.0)
+    assert sequencer.request(2.0).again
+    sequencer.sent(2, straight(), 0.01, now=2.0)
+    assert sequencer.request(60.0).again
+    sequencer.sent(3, straight(), 0.01, now=60.0)
+    sequencer.executed(3, straight().positions)
+    sequencer.result(result(3, ResultCode.DONE), now=61.0)
+    assert not sequencer.request(61.0).again
+
+
 def test_results_of_another_planner_are_ignored(sequencer):
     sequencer.sent(7, straight(), 0.01, now=0.0)
     sequencer.result(result(3, ResultCode.BLOCKED), now=0.1)

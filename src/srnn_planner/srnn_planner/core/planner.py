@@ -40,6 +40,7 @@ class PlanRequest:
         velocity: execution speed [m/s].
         retreat_to: (d,) free point [m] to back off to first, from rest; None to go on.
         reach: at this distance from the target it counts as reached [units].
+        again: the last plan came to nothing, and the arm has not moved since.
 
     """
 
@@ -49,6 +50,7 @@ class PlanRequest:
     velocity: float
     retreat_to: NDArray[np.float64] | None = None
     reach: float = 0.0
+    again: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +142,7 @@ class SegmentPlanner:
         """Plan one segment."""
         origin = request.measured if request.retreat_to is None else request.retreat_to
         position = self.model.workspace.to_units(origin)
-        if request.retreat_to is None:
+        if request.retreat_to is None and not request.again:
             # After a contact it is learning that shows the way out.
             self._fatigue.visit(position, request.target)
         goal = self._goal(request.target)

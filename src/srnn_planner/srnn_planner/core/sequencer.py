@@ -85,6 +85,7 @@ class Sequencer:
         self._retreating = False
         self._touches_in_a_row = 0
         self._refused_in_a_row = 0
+        self._in_vain = False
         self._not_before = 0.0
 
     @property
@@ -119,6 +120,7 @@ class Sequencer:
             self._refused(flight, now)
             return
         self._refused_in_a_row = 0
+        self._in_vain = False
         if result.code is ResultCode.DONE:
             self._done(now)
         else:
@@ -142,7 +144,7 @@ class Sequencer:
             return self._onward(self._running, now)
         return PlanRequest(
             self._tip, at_rest(self._tip), self.task.target, self._velocity,
-            self._retreat(), self.task.reach_radius,
+            self._retreat(), self.task.reach_radius, self._in_vain,
         )
 
     def sent(self, stamp_ns: int, trajectory: Trajectory, seconds: float, now: float) -> None:
@@ -159,6 +161,7 @@ class Sequencer:
         """Report that no valid movement was found."""
         self.schedule.record(seconds)
         self.counters.invalid_plans += 1
+        self._in_vain = True
         self._not_before = now + (RETRY if self._running is None else 0.0)
 
     def forget_motion(self) -> None:
@@ -176,7 +179,8 @@ class Sequencer:
         ahead = self.task.after(self._workspace.to_units(end.position))
         measured = end.position + self._tip - np.array(columns)
         return PlanRequest(
-            measured, end, ahead.target, self._velocity, reach=ahead.reach_radius
+            measured, end, ahead.target, self._velocity,
+            reach=ahead.reach_radius, again=self._in_vain,
         )
 
     def _retreat(self) -> NDArray[np.float64] | None:
@@ -220,6 +224,7 @@ class Sequencer:
         running_until = self._running.end if self._running is not None else now
         pause = RETRY * 2.0 ** min(self._refused_in_a_row, PATIENCE)
         self._refused_in_a_row += 1
+        self._in_vain = True
         self._not_before = max(now, running_until) + pause
 
     def _end_wait_for_learning(self) -> None:
@@ -231,4 +236,5 @@ class Sequencer:
     def _give_up_lost(self, now: float) -> None:
         if self._running is not None and now > self._running.end + LOST_AFTER:
             self.counters.lost += 1
+            self._in_vain = True
             self._running = self._waiting = None
