@@ -31,6 +31,9 @@ class Condition(Flag):
     STOPPED = auto()
     BAD_SAMPLE = auto()
     DIVERGED = auto()
+    OUT_OF_RANGE = auto()
+    JUMPED = auto()
+    FROZEN = auto()
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,15 @@ RULES: Mapping[Condition, Rule] = MappingProxyType(
         Condition.STOPPED: Rule(Reaction.FREEZE, True, 'stop asked for'),
         Condition.BAD_SAMPLE: Rule(Reaction.FREEZE, True, 'measurement is not finite'),
         Condition.DIVERGED: Rule(Reaction.FREEZE, True, 'arm is not where it was commanded'),
+        Condition.OUT_OF_RANGE: Rule(
+            Reaction.FREEZE, True, 'measured joint angle outside its limits'
+        ),
+        Condition.JUMPED: Rule(
+            Reaction.FREEZE, True, 'measured joint angle changed faster than a joint can move'
+        ),
+        Condition.FROZEN: Rule(
+            Reaction.FREEZE, True, 'measurements do not change though the arm is told to move'
+        ),
     }
 )
 

@@ -146,6 +146,37 @@ class LimitParameters(Parameters):
 
 
 @dataclass(frozen=True)
+class WatchParameters(Parameters):
+    """What a joint state must obey to be believed."""
+
+    period: float = parameter(
+        0.004, unit='s', above=0.0, maximum=0.1,
+        doc='Nominal time between two joint states.',
+    )
+    gap: float = parameter(
+        0.02, unit='s', above=0.0, maximum=0.5,
+        doc='Missing joint states excuse a jump of the angles for no longer than this.',
+    )
+    position_tolerance: float = parameter(
+        0.02, unit='rad', minimum=0.0, maximum=0.5,
+        doc='A measured angle this far beyond the joint limits is not true.',
+    )
+    motion: float = parameter(
+        0.001, unit='rad', above=0.0, maximum=0.1,
+        doc='Angles must change once the command has moved on by more than this.',
+    )
+    repeats: int = parameter(
+        2, minimum=1, maximum=100,
+        doc='Joint states in a row that say the same until the measurement counts as frozen.',
+    )
+
+    def check(self) -> None:
+        """Refuse a gap that is shorter than the time between two joint states."""
+        if self.gap < self.period:
+            raise self.refuse('gap', self.gap, f'>= period = {self.period:g}')
+
+
+@dataclass(frozen=True)
 class TrackerParameters(Parameters):
     """All parameters of the tracker."""
 
@@ -153,3 +184,4 @@ class TrackerParameters(Parameters):
     contact: ContactParameters = field(default_factory=ContactParameters)
     law: LawParameters = field(default_factory=LawParameters)
     limits: LimitParameters = field(default_factory=LimitParameters)
+    watch: WatchParameters = field(default_factory=WatchParameters)

@@ -13,6 +13,7 @@ from lwr_tracking.core.counters import Counters
 from lwr_tracking.core.errors import ClockError
 from lwr_tracking.core.execution import Execution, Finished
 from lwr_tracking.core.failsafe import Condition, Reaction, decide
+from lwr_tracking.core.joint_watch import JointWatch
 from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
@@ -63,6 +64,7 @@ class Tracker:
         self._estimate = TipEstimate(kinematics)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
         self._contact = ContactObserver(parameters.contact)
+        self._watch = JointWatch(parameters.watch)
         self._execution: Execution | None = None
         self._now: float | None = None
         self._last_stamp_ns: int | None = None
@@ -122,8 +124,9 @@ class Tracker:
 
         """
         dt = self._elapsed(now)
-        if not _usable(sample):
-            self._fault(Condition.BAD_SAMPLE)
+        wrong = self._watch.judge(sample, None if self._execution is None else self._law.command)
+        if wrong:
+            self._distrust(wrong)
             return self._answer()
         self.tip, force = self._estimate.measure(sample.position, sample.external_torque)
         execution = self._execution or self._start(sample)
@@ -142,6 +145,7 @@ class Tracker:
     def reset(self) -> None:
         """Forget latched faults; the arm goes on holding where it is."""
         self.conditions &= ~decide(self.conditions).latched
+        self._watch.restart()
 
     def pause(self) -> None:
         """Come to rest on the path and refuse segments until `resume`."""
@@ -199,22 +203,32 @@ class Tracker:
         self.counters.contacts += running
         self.counters.yields += not running
         values = {'force_n': self._contact.force, 'error_m': self._contact.error}
-        self._react(Condition.CONTACT, ResultCode.BLOCKED, touch.value, values)
+        self._react(Condition.CONTACT, ResultCode.BLOCKED, touch.value, values, self.tip)
         self._contact.disarm()
 
-    def _fault(self, condition: Condition, reason: str = '') -> None:
+    def _fault(self, condition: Condition, reason: str = '', at: Array | None = None) -> None:
         self.counters.faults += condition not in self.conditions
-        self._react(condition, ResultCode.FAULT, reason or decide(condition).causes[0], {})
+        reason = reason or decide(condition).causes[0]
+        self._react(condition, ResultCode.FAULT, reason, {}, self.tip if at is None else at)
+
+    def _distrust(self, condition: Condition) -> None:
+        """Hold the command: a measurement that is not true must not move the arm."""
+        self._fault(condition, at=None if self._execution is None else self._law.held)
 
     def _react(
-        self, condition: Condition, code: ResultCode, reason: str, values: dict[str, float]
+        self,
+        condition: Condition,
+        code: ResultCode,
+        reason: str,
+        values: dict[str, float],
+        at: Array,
     ) -> None:
-        """Do what the fail-safe says about a new condition."""
+        """Do what the fail-safe says about a new condition; `at` (3,) [m] is where to hold."""
         decision = decide(self.conditions | condition)
         self.conditions |= decision.latched
         if self._execution is None or decision.reaction is not Reaction.FREEZE:
             return
-        self._finish(self._execution.freeze(self.tip, code, reason, values))
+        self._finish(self._execution.freeze(at, code, reason, values))
 
     def _finish(self, finished: tuple[Finished, ...]) -> None:
         for entry in finished:
@@ -225,12 +239,3 @@ class Tracker:
     def _answer(self) -> Tick:
         finished, self._finished = tuple(self._finished), []
         return Tick(None if self._execution is None else self._law.command, finished)
-
-
-def _usable(sample: JointSample) -> bool:
-    """Tell whether all that the tracker reads is finite and has seven elements."""
-    position, torque = sample.position, sample.external_torque
-    # A sum is finite exactly when its terms are; a huge term counts as not finite.
-    return position.shape == torque.shape == (7,) and isfinite(
-        sum(position.tolist()) + sum(torque.tolist())
-    )

@@ -42,8 +42,14 @@ class TrackingLaw:
             law.tip_speed,
             law.damping**2,
         )
+        self._kinematics = kinematics
         self._inverse = ResolvedRate(kinematics, bounds)
         self._add = compiled(add_bounded, np.zeros(3), np.zeros(3), 0.0, 0.0)
+
+    @property
+    def held(self) -> Array:
+        """Return the target (3,) [m] that asks for no motion beyond the last command."""
+        return self._kinematics.tip(self.command) - self.correction
 
     def start(self, position: Array) -> None:
         """Command the measured joint angles (7,) [rad], without correction."""

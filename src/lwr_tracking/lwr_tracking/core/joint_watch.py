@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether a measurement can be true, judged by those before it."""
+
+from math import isfinite
+from operator import gt, sub
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lwr_description import DOF, POSITION_MAX, VELOCITY_MAX
+from lwr_tracking.core.failsafe import Condition
+from lwr_tracking.core.parameters import WatchParameters
+from srnn_msgs_py.joints import JointSample
+
+_JUMP = 2.0
+"""No joint can have moved farther than this many times its speed limit allows."""
+
+
+class JointWatch:
+    """Looks at what joint states say, not at whether they come.
+
+    A sender may be alive and its content dead: angles that do not change while the arm
+    is told to move, a stamp that stands still, angles that no arm can have got to. Refused
+    angles are not remembered, so that an arm which seems to have jumped is not believed
+    until it is back, or until `restart`.
+    """
+
+    def __init__(self, parameters: WatchParameters) -> None:
+        """Have seen nothing."""
+        self._parameters = parameters
+        self._reach = (_JUMP * VELOCITY_MAX).tolist()
+        self._farthest = (POSITION_MAX + parameters.position_tolerance).tolist()
+        self.restart()
+
+    def restart(self) -> None:
+        """Believe the next measurement that is possible at all."""
+        self._position: list[float] | None = None
+        self._stamp_ns = 0
+        self._repeats = 0
+        self._told: list[float] | None = None
+
+    def judge(self, sample: JointSample, command: NDArray[np.float64] | None) -> Condition:
+        """Return what is wrong with a measurement, `Condition.NONE` if nothing is.
+
+        Args:
+            sample: what the arm measured.
+            command: (7,) joint angles that it was told last [rad]; None before the first.
+
+        """
+        if not _usable(sample):
+            return Condition.BAD_SAMPLE
+        position = sample.position.tolist()
+        if any(map(gt, map(abs, position), self._farthest)):
+            return Condition.OUT_OF_RANGE
+        if self._position is None:
+            self._remember(position, sample.stamp_ns, command)
+            return Condition.NONE
+        if position == self._position or sample.stamp_ns == self._stamp_ns:
+            return self._repeated(sample.stamp_ns, command)
+        seconds = self._seconds(sample.stamp_ns)
+        reach = [speed * seconds for speed in self._reach]
+        if any(map(gt, map(abs, map(sub, position, self._position)), reach)):
+            self._stamp_ns = sample.stamp_ns
+            return Condition.JUMPED
+        self._remember(position, sample.stamp_ns, command)
+        return Condition.NONE
+
+    def _repeated(self, stamp_ns: int, command: NDArray[np.float64] | None) -> Condition:
+        """Count a measurement that says what the last one said."""
+        same_stamp = stamp_ns == self._stamp_ns
+        self._stamp_ns = stamp_ns
+        if not (same_stamp or self._told_to_move(command)):
+            return Condition.NONE
+        self._repeats += 1
+        return Condition.FROZEN if self._repeats >= self._parameters.repeats else Condition.NONE
+
+    def _told_to_move(self, command: NDArray[np.float64] | None) -> bool:
+        if command is None or self._told is None:
+            return False
+        moved = map(abs, map(sub, command.tolist(), self._told))
+        return max(moved) > self._parameters.motion
+
+    def _seconds(self, stamp_ns: int) -> float:
+        """Return for how long the arm can have moved since the last measurement [s].
+
+        Bounded on both sides: the system clock, from which stamps are, may be set.
+        """
+        parameters = self._parameters
+        seconds = 1e-9 * (stamp_ns - self._stamp_ns)
+        return min(max(seconds, parameters.period), parameters.gap)
+
+    def _remember(
+        self, position: list[float], stamp_ns: int, command: NDArray[np.float64] | None
+    ) -> None:
+        self._position, self._stamp_ns, self._repeats = position, stamp_ns, 0
+        self._told = None if command is None else command.tolist()
+
+
+def _usable(sample: JointSample) -> bool:
+    """Tell whether all that the tracker reads is finite and has seven elements."""
+    position, torque = sample.position, sample.external_torque
+    # A sum is finite exactly when its terms are; a huge term counts as not finite.
+    return position.shape == torque.shape == (DOF,) and isfinite(
+        sum(position.tolist()) + sum(torque.tolist())
+    )
