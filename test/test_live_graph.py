@@ -15,8 +15,9 @@ import yaml
 
 from srnn_bringup.config import Choices, load
 from srnn_bringup.live_graph import LiveGraph
+from srnn_bringup.restarts import Restarts
 from srnn_msgs_py.result import ResultCode, SegmentResult
-from srnn_msgs_py.ros import pose, result, segment
+from srnn_msgs_py.ros import pose, result, segment, weights
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.segment import Segment
@@ -149,6 +150,33 @@ def test_motion_goes_on_undisturbed_when_the_adapter_is_killed(watched):
     # A pause of the whole machine may make one planner late, the adapter must make none.
     from_rest = [s for s in watched.segments if not s.velocities[0].any()]
     assert len(from_rest) <= 2
+
+
+def test_an_adapter_that_was_killed_goes_on_from_its_last_update(watched):
+    heard = []
+    watched._listen('weights', weights.from_msg, heard.append)
+    assert call(watched, Trigger, 'adapter/revert').success
+    watched.until(lambda: heard and heard[-1].version == 1)
+    watched.kill('adapter')
+    watched.until(lambda: not watched.graph._supervisor.alive('adapter'))
+    heard.clear()
+    watched.graph.restart('adapter')
+    watched.until(lambda: heard)
+    assert heard[0].version == 1
+
+
+@pytest.mark.parametrize('name', ['planner', 'adapter'])
+def test_a_dead_node_is_started_anew_and_reported(watched, name):
+    said = []
+    watched.graph._restarts, watched.graph._say = Restarts(), said.append
+    watched.kill(name)
+    assert watched.graph.pump.until(lambda: said, PATIENCE_S)
+    assert f'{name} was killed by SIGKILL' in said[0]
+    assert f'starting {name} anew' in said[0]
+    before = len(watched.segments)
+    assert watched.graph.pump.until(lambda: len(watched.segments) >= before + 2, PATIENCE_S)
+    assert watched.graph._supervisor.alive(name)
+    assert len(said) == 1
 
 
 def call(watched, kind, name, **fields):

@@ -10,7 +10,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import LifecycleNode
 
 from srnn_bringup.config import STANDARD_SCENE, Choices, load
-from srnn_bringup.graph import describe, write_parameters
+from srnn_bringup.graph import CHECKPOINT, describe, write_parameters
 from srnn_planner.core.dissonance import SIGNALS
 
 ARGUMENTS = {
@@ -37,9 +37,10 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
     choices = Choices(
         scene=given['scene'], signal=given['signal'] or None, seed=int(given['seed'])
     )
-    nodes = describe(load(choices))
-    # The files outlive this function: the nodes read them when they start.
-    files = write_parameters(nodes, Path(tempfile.mkdtemp(prefix='srnn_')), autostart=True)
+    # The directory outlives this function: the nodes read its files when they start.
+    directory = Path(tempfile.mkdtemp(prefix='srnn_'))
+    nodes = describe(load(choices), directory / CHECKPOINT)
+    files = write_parameters(nodes, directory, autostart=True)
     return [
         LifecycleNode(
             name=node.name,

@@ -32,11 +32,22 @@ class NodeDescription:
     parameters: Mapping[str, Any]
 
 
-def describe(configuration: Configuration) -> tuple[NodeDescription, ...]:
+CHECKPOINT = 'checkpoint.npz'
+"""Name of the file from which a restarted adapter goes on."""
+
+
+def describe(
+    configuration: Configuration, checkpoint: Path | None = None
+) -> tuple[NodeDescription, ...]:
     """Return the nodes in the order in which they are brought up.
 
     The arm comes first and the planner last: whoever starts to send finds its
     listeners ready, and nothing moves before all of them are.
+
+    Args:
+        configuration: what the nodes are told.
+        checkpoint: where the adapter keeps every update, None for nowhere.
+
     """
     scene = str(configuration.scene_path)
     seed = configuration.seed
@@ -57,6 +68,7 @@ def describe(configuration: Configuration) -> tuple[NodeDescription, ...]:
                 'seed': seed,
                 'initial_weights': _text(configuration.initial_weights),
                 'weights_file': _text(configuration.weights_file),
+                'checkpoint': _text(checkpoint),
                 'model': network['model'],
             },
         ),

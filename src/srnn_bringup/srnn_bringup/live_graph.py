@@ -9,6 +9,7 @@ from pathlib import Path
 import re
 import sys
 import tempfile
+import time
 from types import TracebackType
 from typing import Self
 
@@ -26,10 +27,11 @@ from srnn_bringup.errors import (
     NodeDiedError,
     TransitionError,
 )
-from srnn_bringup.graph import NodeDescription, describe, write_parameters
+from srnn_bringup.graph import CHECKPOINT, NodeDescription, describe, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.pump import Pump
-from srnn_bringup.supervisor import Command, Supervisor
+from srnn_bringup.restarts import Restarts
+from srnn_bringup.supervisor import Command, Death, Supervisor
 from srnn_node.signals import StopRequest
 
 CONFIGURE_S = 180.0
@@ -52,7 +54,11 @@ class LiveGraph:
     """
 
     def __init__(
-        self, configuration: Configuration, stop: StopRequest, say: Callable[[str], None]
+        self,
+        configuration: Configuration,
+        stop: StopRequest,
+        say: Callable[[str], None],
+        restarts: Restarts | None = None,
     ) -> None:
         """Start nothing yet.
 
@@ -60,14 +66,17 @@ class LiveGraph:
             configuration: what the nodes are told.
             stop: tells when the user wants to stop.
             say: told in words what happens.
+            restarts: when to start active nodes anew that have died; None: the graph is
+                at its end then.
 
         """
-        self._descriptions = describe(configuration)
+        self._restarts = restarts
+        self._configuration = configuration
         self._stop = stop
         self._say = say
         self._stack = ExitStack()
         self._active: list[LifecycleClient] = []
-        self.names = tuple(description.name for description in self._descriptions)
+        self.names = tuple(description.name for description in describe(configuration))
 
     def __enter__(self) -> Self:
         with ExitStack() as stack:
@@ -132,6 +141,7 @@ class LiveGraph:
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
+        self._descriptions = describe(self._configuration, directory / CHECKPOINT)
         self._files = write_parameters(self._descriptions, directory)
         self._say(f'starting {", ".join(self.names)}')
         # Before this process has the threads of the middleware, it may fork safely.
@@ -162,12 +172,21 @@ class LiveGraph:
         self._active.clear()
 
     def _guard(self) -> None:
-        death = self._supervisor.death()
-        if death is not None:
-            output = ''.join(f'\n  | {line}' for line in death.last_lines)
-            raise NodeDiedError(death.words() + output)
+        for death in self._supervisor.deaths():
+            self._mourn(death)
         if self._stop.name is not None:
             raise Interrupted(self._stop.name)
+        if self._restarts is not None:
+            for name in self._restarts.due(time.monotonic()):
+                self.restart(name)
+
+    def _mourn(self, death: Death) -> None:
+        """Have a dead node started anew, or give up."""
+        if self._restarts is None or len(self._active) < len(self.names):
+            raise NodeDiedError(death.report())
+        if not self._restarts.waits(death.name):
+            pause = self._restarts.died(death.name, time.monotonic())
+            self._say(f'{death.report()}\nstarting {death.name} anew in {pause:g} s')
 
     def _last_error(self, name: str) -> str:
         return last_error(self._supervisor.last_lines(name, count=1000))

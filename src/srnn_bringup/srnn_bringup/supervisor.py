@@ -59,6 +59,10 @@ class Death:
             return f'{self.name} ended with exit code {self.code}'
         return f'{self.name} was killed by {signal.Signals(-self.code).name}'
 
+    def report(self) -> str:
+        """Return what happened and the end of the output."""
+        return self.words() + ''.join(f'\n  | {line}' for line in self.last_lines)
+
 
 class Supervisor:
     """Owns the processes of a graph; as a context manager it stops them at its end.
@@ -121,13 +125,13 @@ class Supervisor:
         """Tell whether a process runs."""
         return self._processes[name].poll() is None
 
-    def death(self) -> Death | None:
-        """Return the end of the first process that has ended, None while all run."""
-        for name, process in self._processes.items():
-            code = process.poll()
-            if code is not None:
-                return Death(name, code, self.last_lines(name))
-        return None
+    def deaths(self) -> list[Death]:
+        """Return the ends of the processes that have ended, and were not started anew."""
+        return [
+            Death(name, code, self.last_lines(name))
+            for name, process in self._processes.items()
+            if (code := process.poll()) is not None
+        ]
 
     def last_lines(self, name: str, count: int = LAST_LINES) -> tuple[str, ...]:
         """Return the end of the output of a process."""

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from srnn_bringup.config import Choices, load
-from srnn_bringup.graph import describe
+from srnn_bringup.graph import CHECKPOINT, describe
 
 FILE = Path(__file__).parents[1] / 'launch' / 'srnn.launch.py'
 
@@ -55,7 +55,8 @@ def test_arguments_have_defaults_and_choices(launch_file):
 def test_launched_nodes_are_those_of_the_graph(launch_file):
     context = {'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3'}
     launched = launch_file['launch_nodes'](context)
-    expected = describe(load(Choices(signal='global', seed=3)))
+    directory = Path(launched[0].named['parameters'][0]).parent
+    expected = describe(load(Choices(signal='global', seed=3)), directory / CHECKPOINT)
     assert [
         (n.named['name'], n.named['package'], n.named['executable']) for n in launched
     ] == [(n.name, n.package, n.executable) for n in expected]

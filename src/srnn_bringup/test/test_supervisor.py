@@ -65,7 +65,7 @@ def start(supervisor, **codes):
 
 def test_nothing_has_died_while_all_run(supervisor):
     start(supervisor, one=OBEDIENT, two=OBEDIENT)
-    assert supervisor.death() is None
+    assert supervisor.deaths() == []
     assert supervisor.alive('one')
 
 
@@ -81,16 +81,16 @@ def test_nothing_has_died_while_all_run(supervisor):
 def test_the_first_death_is_named_with_its_cause(supervisor, code, words):
     start(supervisor, one=OBEDIENT)
     supervisor.start(python('two', code))
-    wait_for(supervisor.death)
-    death = supervisor.death()
+    wait_for(supervisor.deaths)
+    (death,) = supervisor.deaths()
     assert (death.name, death.words()) == ('two', words)
     assert supervisor.alive('one')
 
 
 def test_last_words_are_kept(supervisor):
     supervisor.start(python('one', "print(*range(100), sep='\\n'); raise ValueError('no arm')"))
-    wait_for(supervisor.death)
-    lines = supervisor.death().last_lines
+    wait_for(supervisor.deaths)
+    lines = supervisor.deaths()[0].last_lines
     assert lines[-1] == 'ValueError: no arm'
     assert len(lines) == 8
 
@@ -111,7 +111,7 @@ def test_who_does_not_listen_is_killed(supervisor):
     pid = supervisor.pids['one']
     supervisor.stop()
     assert supervisor.last_lines('one') == ('ready', 'SIGINT', 'SIGTERM')
-    assert supervisor.death().words() == 'one was killed by SIGKILL'
+    assert supervisor.deaths()[0].words() == 'one was killed by SIGKILL'
     assert not exists(pid)
 
 
@@ -148,9 +148,9 @@ def test_a_dead_process_can_be_started_anew(supervisor):
     start(supervisor, one=OBEDIENT, two=OBEDIENT)
     before = supervisor.pids
     os.kill(before['one'], signal.SIGKILL)
-    wait_for(supervisor.death)
+    wait_for(supervisor.deaths)
     supervisor.start(python('one', OBEDIENT))
-    assert supervisor.death() is None
+    assert supervisor.deaths() == []
     assert list(supervisor.pids) == ['one', 'two']
     assert supervisor.pids['one'] != before['one']
 

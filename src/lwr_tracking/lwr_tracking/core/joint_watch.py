@@ -78,7 +78,7 @@ class JointWatch:
         if command is None or self._told is None:
             return False
         moved = map(abs, map(sub, command.tolist(), self._told))
-        return max(moved) > self._parameters.motion
+        return bool(max(moved) > self._parameters.motion)
 
     def _seconds(self, stamp_ns: int) -> float:
         """Return for how long the arm can have moved since the last measurement [s].

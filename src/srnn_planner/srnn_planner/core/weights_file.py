@@ -26,7 +26,8 @@ def save(path: str | Path, weights: WeightsUpdate) -> None:
     """
     path = Path(path)
     buffer = io.BytesIO()
-    np.savez_compressed(
+    # Not compressed, because an update is on disk before it is shared.
+    np.savez(
         buffer,
         version=np.int64(weights.version),
         segment_stamp_ns=np.int64(weights.segment_stamp_ns),

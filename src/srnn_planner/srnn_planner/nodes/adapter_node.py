@@ -3,6 +3,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 import time
 
 import numpy as np
@@ -10,7 +11,7 @@ from std_srvs.srv import Trigger
 
 from srnn_config import Parameters, parameter
 from srnn_msgs_py.dissonance import Dissonance
-from srnn_msgs_py.health import Health
+from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.ros import belief, dissonance, executed, segment, weights
 from srnn_msgs_py.ros import path as path_msg
 from srnn_msgs_py.segment import ExecutedPath, Segment
@@ -33,6 +34,10 @@ class AdapterParameters(Parameters):
     seed: int = parameter(0, minimum=0, doc='Seed of all random numbers of the adapter.')
     initial_weights: str = parameter('', doc='Weight file to start from; empty for the prior.')
     weights_file: str = parameter('', doc='File of the services ~/save and ~/load.')
+    checkpoint: str = parameter(
+        '', doc='File that keeps every update before it is shared, and that a restarted adapter '
+        'goes on from; empty for none.',
+    )
     model: ModelParameters = field(default_factory=ModelParameters)
 
 
@@ -55,6 +60,9 @@ class AdapterNode(WorkspaceNode):
         if parameters.initial_weights:
             self._take(weights_file.load(parameters.initial_weights))
         self._initial = self._learner.weights
+        self._unsaved = ''
+        if parameters.checkpoint and Path(parameters.checkpoint).exists():
+            self._restore(weights_file.load(parameters.checkpoint))
         self._pairing = Pairing()
         self._update_times = Durations()
         self._weights = self.advertise('weights')
@@ -75,13 +83,14 @@ class AdapterNode(WorkspaceNode):
         """Report counters and update times."""
         if not self.active:
             return Health()
+        level = HealthLevel.WARN if self._unsaved else HealthLevel.OK
         times = {f'update_ms_{k}': v for k, v in self._update_times.summary_ms().items()}
         values = {
             'updates': self._learner.updates,
             'weights_version': self._version,
             **times,
         }
-        return Health(values=values)
+        return Health(level, self._unsaved, values)
 
     def _on_segment(self, plan: Segment) -> None:
         self._learn(self._pairing.segment(plan))
@@ -103,6 +112,7 @@ class AdapterNode(WorkspaceNode):
         if lesson.updated:
             self._version += 1
             self._update_times.record(seconds)
+            self._keep(plan.stamp_ns)
             self._share(plan.stamp_ns)
         self._acknowledge(plan.stamp_ns, lesson, seconds)
         self._learner.prepare()
@@ -121,6 +131,22 @@ class AdapterNode(WorkspaceNode):
             update_ms=1e3 * seconds,
         )
         self._dissonance.publish(dissonance.to_msg(value))
+
+    def _keep(self, stamp_ns: int) -> None:
+        """Write the checkpoint; without room on the disk learning goes on, and says so."""
+        if not self._parameters.checkpoint:
+            return
+        update = WeightsUpdate(self._version, stamp_ns, self._learner.weights)
+        try:
+            weights_file.save(self._parameters.checkpoint, update)
+            self._unsaved = ''
+        except SrnnError as error:
+            self._unsaved = str(error)
+
+    def _restore(self, update: WeightsUpdate) -> None:
+        self._learner.use_weights(update.matrix)
+        self._version = update.version
+        self.get_logger().info(f'goes on from version {update.version} of the checkpoint')
 
     def _share(self, stamp_ns: int) -> None:
         update = WeightsUpdate(self._version, stamp_ns, self._learner.weights)
@@ -145,11 +171,13 @@ class AdapterNode(WorkspaceNode):
 
     def _load(self) -> str:
         self._take(weights_file.load(self._file()))
+        self._keep(0)
         self._share(0)
         return f'loaded {self._file()} as version {self._version}'
 
     def _revert(self) -> str:
         self._take(WeightsUpdate(self._version, 0, self._initial))
+        self._keep(0)
         self._share(0)
         return f'back to the initial weights as version {self._version}'
 

@@ -145,6 +145,14 @@ class PlannerNode(WorkspaceNode):
             self._sequencer.learned(lesson.segment_stamp_ns)
 
     def _on_weights(self, update: WeightsUpdate) -> None:
+        if update.version < self._weights_version:
+            # Of an adapter that has forgotten: what was learned is not given up for it.
+            self.refused_messages += 1
+            self.get_logger().warning(
+                f'weights version {update.version} refused: version '
+                f'{self._weights_version} is in use'
+            )
+            return
         try:
             self._planner.use_weights(update.matrix)
         except SrnnError:
