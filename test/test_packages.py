@@ -18,14 +18,15 @@ MAX_LINES = 300
 
 # What a package may import of the workspace: whatever stands above it, except where noted.
 ORDER = (
-    'srnn_config', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'srnn_planner',
+    'srnn_config', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard', 'srnn_planner',
     'lwr_tracking', 'lwr_sim_bridge', 'srnn_experiments', 'srnn_bringup',
 )  # fmt: skip
 STRANGERS = {
-    'srnn_planner': {'lwr_description'},
-    'lwr_tracking': {'srnn_planner'},
+    'srnn_planner': {'lwr_description', 'lwr_guard'},
+    'lwr_tracking': {'srnn_planner', 'lwr_guard'},
     'lwr_sim_bridge': {'srnn_planner', 'lwr_tracking'},
     'lwr_description': {'srnn_msgs_py', 'srnn_node'},
+    'lwr_guard': {'srnn_msgs_py', 'srnn_node'},
     'srnn_experiments': {'srnn_node'},
 }
 EXECUTABLES = {
@@ -44,6 +45,7 @@ CORES = {
     'srnn_planner.core': ('mujoco',),
     'lwr_tracking.core': (),
     'lwr_description': (),
+    'lwr_guard': (),
     'lwr_sim_bridge': (),
     'srnn_experiments': (),
 }

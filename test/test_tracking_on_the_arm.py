@@ -1,77 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """The tracker on the simulated arm: accuracy, contact, no false contact. Simulated time only."""
 
-from dataclasses import dataclass, field
 from pathlib import Path
 import sys
 
+from arm_rig import PERIOD, PHYSICS_PER_TICK, rig
 import numpy as np
 import pytest
 
 from lwr_description import Kinematics, Mount
-from lwr_sim_bridge.parameters import ArmParameters, ContactParameters, MismatchParameters
-from lwr_sim_bridge.simulated_arm import SimulatedArm
-from lwr_tracking.core import Finished, Tracker, TrackerParameters
-from srnn_config.scene import build_scene
+from lwr_sim_bridge.parameters import ContactParameters, MismatchParameters
+from lwr_tracking.core import Tracker, TrackerParameters
 from srnn_msgs_py.result import ResultCode
 
 sys.path.insert(0, str(Path(__file__).parents[1] / 'src' / 'lwr_tracking' / 'test'))
 from segments import MS, chain, line
 
-PERIOD = 0.004
-PHYSICS_PER_TICK = 4
 LAP = [
     (0.26, 0.1), (0.18, 0.25), (0, 0.27), (-0.18, 0.25), (-0.26, 0.1), (-0.26, -0.1),
     (-0.18, -0.25), (0, -0.27), (0.18, -0.25), (0.26, -0.1),
 ]
 PLANE = [(0, 0), (0.15, 0.0), *LAP, (0.15, 0.05), (0, 0.05), (-0.12, -0.1)]
 HARSH = MismatchParameters(mass_scale=1.1, payload=0.2, friction=(0.5,) * 7)
-
-
-@dataclass
-class Rig:
-    """Tracker and simulated arm, stepped together."""
-
-    arm: SimulatedArm
-    tracker: Tracker
-    finished: list[Finished] = field(default_factory=list)
-    force: list[float] = field(default_factory=list)
-    tips: list[np.ndarray] = field(default_factory=list)
-
-    def tick(self) -> None:
-        sample = self.arm.sample(int(self.arm.time * 1e9))
-        tick = self.tracker.tick(self.arm.time, sample)
-        assert self.arm.command(tick.command) is None
-        for _ in range(PHYSICS_PER_TICK):
-            self.arm.step()
-        self.finished += tick.finished
-        self.force.append(self.tracker.contact.force)
-        self.tips.append(self.arm.tip_truth)
-
-    def run(self, seconds: float) -> None:
-        for _ in range(round(seconds / PERIOD)):
-            self.tick()
-
-    def execute(self, segments) -> None:
-        """Offer every segment in good time and run until all are over."""
-        todo = list(segments)
-        over = len(self.finished) + len(todo)
-        while len(self.finished) < over:
-            if todo and self.tracker.reference.waiting is None:
-                assert self.tracker.offer(todo.pop(0), 0.0) is None
-            self.tick()
-
-    def present_force(self) -> float:
-        return float(np.linalg.norm(self.arm.truth.low_pass))
-
-
-def rig(obstacles=(), seed=1, **arm_parameters) -> Rig:
-    scene = build_scene({'name': 'test', 'waypoints': [[0, 0]], 'obstacles': list(obstacles)}, '')
-    parameters = ArmParameters(**arm_parameters)
-    arm = SimulatedArm(parameters, Mount(), scene, np.random.default_rng(seed))
-    made = Rig(arm, Tracker(TrackerParameters(), Kinematics(Mount())))
-    made.run(0.4)
-    return made
 
 
 def errors(finished, segments) -> np.ndarray:

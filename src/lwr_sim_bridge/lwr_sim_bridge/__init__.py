@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The LWR 4+ in MuJoCo, behaving towards its client as the real arm does."""
 
-from lwr_sim_bridge.command_gate import Refusal
 from lwr_sim_bridge.contact_truth import ContactForce
 from lwr_sim_bridge.errors import BridgeError, SceneShapeError, SimulationError
 from lwr_sim_bridge.parameters import (
@@ -26,7 +25,6 @@ __all__ = [
     'MismatchParameters',
     'NoiseParameters',
     'ObserverParameters',
-    'Refusal',
     'SceneShapeError',
     'SimulatedArm',
     'SimulationError',

@@ -102,8 +102,12 @@ class BridgeNode(WorkspaceNode):
             'cycles': self._rate.taken,
             'overruns': self._rate.overruns,
             'skipped': self._rate.skipped,
+            'holds': self._arm.watch.holds,
+            'commands_answered': self._arm.watch.answered,
             **refused,
         }
+        if self._arm.watch.holding:
+            return Health(HealthLevel.WARN, 'no commands: the arm holds its pose', values)
         level = HealthLevel.WARN if self._rate.skipped else HealthLevel.OK
         return Health(level, '', values)
 

@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass, field
 
+from lwr_guard import GuardParameters
 from srnn_config import Parameters, parameter
 
 
@@ -51,29 +52,16 @@ class ObserverParameters(Parameters):
 
 @dataclass(frozen=True)
 class CommandParameters(Parameters):
-    """How joint position commands are accepted and interpolated."""
+    """How joint position commands get to the impedance law."""
 
     time_constant: float = parameter(
         0.004, unit='s', minimum=0.001, maximum=0.05,
         doc='Of the critically damped filter between commands and the impedance law.',
     )
-    period: float = parameter(
-        0.004, unit='s', minimum=0.001, maximum=0.1, doc='Expected time between commands.'
-    )
-    silence: float = parameter(
-        0.02, unit='s', minimum=0.001, maximum=1.0,
-        doc='The step allowed at top speed grows with the time since the last command, '
-        'but no longer than this.',
-    )
     delay: float = parameter(
         0.0, unit='s', minimum=0.0, maximum=0.05,
         doc='Time on the way from the bridge to the filter, in whole ticks of 1 ms.',
     )
-
-    def check(self) -> None:
-        """Refuse a silence shorter than one period."""
-        if self.silence < self.period:
-            raise self.refuse('silence', self.silence, f'>= period = {self.period:g} s')
 
 
 @dataclass(frozen=True)
@@ -110,5 +98,6 @@ class ArmParameters(Parameters):
     mismatch: MismatchParameters = field(default_factory=MismatchParameters)
     observer: ObserverParameters = field(default_factory=ObserverParameters)
     command: CommandParameters = field(default_factory=CommandParameters)
+    guard: GuardParameters = field(default_factory=GuardParameters)
     contact: ContactParameters = field(default_factory=ContactParameters)
     noise: NoiseParameters = field(default_factory=NoiseParameters)

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lwr_description import Kinematics, Mount
+from lwr_guard import CommandGate, CommandWatch, Refusal
 from lwr_sim_bridge.command_delay import CommandDelay
-from lwr_sim_bridge.command_gate import CommandGate, Refusal
 from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
 from lwr_sim_bridge.control_loop_kernel import ControlLoop
 from lwr_sim_bridge.errors import SimulationError
@@ -33,6 +33,7 @@ class SimulatedArm:
     Attributes:
         model: the plant's MuJoCo model, for viewers and disturbances.
         data: the plant's MuJoCo state, for viewers and disturbances.
+        watch: whether commands still come.
 
     """
 
@@ -55,7 +56,8 @@ class SimulatedArm:
         self._q, self._v = self.data.qpos, self.data.qvel
         self._warnings = self.data.warning.number
         self._no_warnings = bytes(self._warnings.nbytes)
-        self._gate = CommandGate(parameters.command, start)
+        self._gate = CommandGate(parameters.guard, start)
+        self.watch = CommandWatch(parameters.guard)
         self._delay = CommandDelay(round(parameters.command.delay / TICK))
         self._loop = ControlLoop(parameters, self._kinematics, self._scene, TICK)
         self._ticks_per_estimate = parameters.observer.ticks
@@ -115,11 +117,12 @@ class SimulatedArm:
         """
         refusal = self._gate.offer(q, self.time)
         if refusal is None:
+            self.watch.good(self.time)
             self._delay.give(self._gate.last)
         return refusal
 
     def step(self, ticks: int = 1) -> None:
-        """Advance: joint controller, physics, observer; several ticks at once are cheaper.
+        """Advance one cycle: joint controller, physics, observer; many ticks at once are cheaper.
 
         Raises:
             SimulationError: the simulator has warned or its state is not finite.
@@ -142,6 +145,7 @@ class SimulatedArm:
             self._check()
             self._truth.update()
             self._scene.settle()
+        self.watch.cycle(self.time)
 
     def sample(self, stamp_ns: int) -> JointSample:
         """Return what the arm measures now, noise included, stamped `stamp_ns` [ns].

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from lwr_description import Kinematics, Mount
+from lwr_guard import Refusal
 from lwr_sim_bridge import (
     ArmParameters,
     MismatchParameters,
     NoiseParameters,
-    Refusal,
     SimulatedArm,
     SimulationError,
 )

@@ -4,13 +4,16 @@
 from collections.abc import Iterable
 
 import numpy as np
+from segments import line
 
 from lwr_description import Kinematics, Mount
-from lwr_tracking.core import Finished, Tracker, TrackerParameters
+from lwr_tracking.core import Finished, LawParameters, Tracker, TrackerParameters
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.segment import Segment
 
 PERIOD = 0.004
+# The perfect arm obeys at once: nothing has to lead.
+PROMPT = TrackerParameters(law=LawParameters(lead=PERIOD))
 
 
 class PerfectArm:
@@ -54,3 +57,13 @@ class PerfectArm:
             if len(self.finished) >= over:
                 return
         raise AssertionError(f'{len(self.finished)} of {over} segments are over')
+
+
+def codes(arm):
+    return [entry.result.code for entry in arm.finished]
+
+
+def started(arm, speed=0.1, seconds=1.0):
+    """Let a straight segment run for a while."""
+    assert arm.tracker.offer(line((0.0, 0.0), (0.2, 0.0), speed), 0.0) is None
+    arm.run(seconds)

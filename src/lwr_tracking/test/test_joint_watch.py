@@ -78,7 +78,7 @@ def test_who_seems_to_have_jumped_is_not_believed_before_a_restart(watch):
 def test_the_same_angles_count_as_frozen_only_while_the_arm_is_told_to_move(watch):
     for number in range(2, 100):
         assert watch.judge(sample(number), HOME) is Condition.NONE
-    told = HOME + 0.0011
+    told = HOME + 0.0006
     assert watch.judge(sample(100), told) is Condition.NONE
     assert watch.judge(sample(101), told) is Condition.FROZEN
     assert watch.judge(sample(102, HOME + 1e-9), told) is Condition.NONE

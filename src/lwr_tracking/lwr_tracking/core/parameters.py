@@ -162,7 +162,7 @@ class WatchParameters(Parameters):
         doc='A measured angle this far beyond the joint limits is not true.',
     )
     motion: float = parameter(
-        0.001, unit='rad', above=0.0, maximum=0.1,
+        0.0005, unit='rad', above=0.0, maximum=0.1,
         doc='Angles must change once the command has moved on by more than this.',
     )
     repeats: int = parameter(

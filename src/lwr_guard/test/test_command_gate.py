@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 
 from lwr_description import POSITION_MAX, VELOCITY_MAX
-from lwr_sim_bridge import CommandParameters, Refusal
-from lwr_sim_bridge.command_gate import CommandGate
+from lwr_guard import CommandGate, GuardParameters, Refusal
 
-PARAMETERS = CommandParameters()
+PARAMETERS = GuardParameters()
 START = np.zeros(7)
 
 
@@ -54,7 +53,7 @@ def test_long_silence_buys_no_longer_step_than_the_stated_one(gate):
 
 def test_silence_shorter_than_the_period_is_refused():
     with pytest.raises(ValueError, match='silence'):
-        CommandParameters(period=0.01, silence=0.005)
+        GuardParameters(period=0.01, silence=0.005)
 
 
 anything = st.lists(st.one_of(st.none(), st.text(max_size=3), st.floats()), max_size=8)

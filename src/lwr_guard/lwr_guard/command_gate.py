@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lwr_description import DOF, POSITION_MAX, VELOCITY_MAX
-from lwr_sim_bridge.parameters import CommandParameters
+from lwr_guard.parameters import GuardParameters
 
 _POSITION_MAX, _VELOCITY_MAX = POSITION_MAX.tolist(), VELOCITY_MAX.tolist()
 
@@ -26,7 +26,7 @@ class Refusal(Enum):
 class CommandGate:
     """Accepts joint positions that the arm could follow; remembers the last good one."""
 
-    def __init__(self, parameters: CommandParameters, start: NDArray[np.float64]) -> None:
+    def __init__(self, parameters: GuardParameters, start: NDArray[np.float64]) -> None:
         """Begin as if `start` (7,) [rad] had been commanded long ago."""
         self._parameters = parameters
         self._last = start.copy()
