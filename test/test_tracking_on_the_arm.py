@@ -104,7 +104,7 @@ def test_a_stop_at_speed_overshoots_little_and_holds():
     arm = rig()
     assert arm.tracker.offer(line((0.0, 0.0), (0.25, 0.0), 0.2), 0.0) is None
     arm.run(0.7)
-    arm.tracker.stop('test')
+    arm.tracker.stop()
     where = arm.arm.tip_truth
     since = len(arm.tips)
     arm.run(0.6)

@@ -122,7 +122,7 @@ class TrackerNode(WorkspaceNode):
             self._overdue = True
             return
         self._sample = None
-        self._tracker.stop('no joint states')
+        self._tracker.silence()
 
     def health(self) -> Health:
         """Report conditions, counters and the last measurement."""
@@ -182,7 +182,7 @@ class TrackerNode(WorkspaceNode):
             self._results.publish(result.to_msg(refused))
 
     def _stop(self) -> str:
-        self._tracker.stop('stop asked for')
+        self._tracker.stop()
         return 'frozen until reset'
 
     def _reset(self) -> str:

@@ -89,19 +89,19 @@ def test_a_stop_freezes_at_once_and_holds_until_reset(arm):
     assert arm.tracker.offer(
         line((0.2, 0.0), (0.1, 0.0), 0.1, stamp_ns=2 * MS), 0.0
     ) is None
-    arm.tracker.stop('asked for')
+    arm.tracker.stop()
     where = arm.tracker.tip.copy()
     arm.run(0.5)
     np.testing.assert_allclose(arm.tracker.tip[:2], where[:2], atol=1e-4)
     (fault, path), (dropped, nothing) = arm.finished
-    assert (fault.code, fault.reason) == (ResultCode.FAULT, 'asked for')
+    assert (fault.code, fault.reason) == (ResultCode.FAULT, 'stop asked for')
     assert 0.0 < fault.values['progress'] < 1.0
     np.testing.assert_allclose(path.positions[-1], where[:2])
     assert (dropped.code, dropped.reason, nothing) == (
         ResultCode.REJECTED, Refusal.STOPPED, None,
     )
     onward = line(tuple(where[:2]), (0.0, 0.1), 0.1, stamp_ns=3 * MS)
-    assert arm.tracker.offer(onward, 0.0).reason == Refusal.STOPPED
+    assert arm.tracker.offer(onward, 0.0).reason == 'stopped until reset: stop asked for'
     before = arm.q.copy()
     arm.tracker.reset()
     arm.tick()

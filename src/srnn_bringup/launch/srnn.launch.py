@@ -13,6 +13,9 @@ from srnn_bringup.config import STANDARD_SCENE, Choices, load
 from srnn_bringup.graph import CHECKPOINT, describe, write_parameters
 from srnn_planner.core.dissonance import SIGNALS
 
+RESPAWN_S = 1.0
+"""Pause until a node that has died is started anew [s]."""
+
 ARGUMENTS = {
     'arm': ('sim', ['sim'], 'arm to move'),
     'scene': (STANDARD_SCENE, None, 'name of a scene in config/scenes, or path of a scene file'),
@@ -49,6 +52,8 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
             executable=node.executable,
             parameters=[str(files[node.name])],
             output='screen',
+            respawn=True,
+            respawn_delay=RESPAWN_S,
         )
         for node in nodes
     ]

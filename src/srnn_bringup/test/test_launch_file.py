@@ -61,6 +61,8 @@ def test_launched_nodes_are_those_of_the_graph(launch_file):
         (n.named['name'], n.named['package'], n.named['executable']) for n in launched
     ] == [(n.name, n.package, n.executable) for n in expected]
     for node, description in zip(launched, expected, strict=True):
+        assert node.named['respawn']
+        assert node.named['respawn_delay'] > 0.0
         (path,) = node.named['parameters']
         (content,) = yaml.safe_load(Path(path).read_text()).values()
         assert content['ros__parameters'] == {**description.parameters, 'autostart': True}

@@ -34,6 +34,7 @@ class Condition(Flag):
     OUT_OF_RANGE = auto()
     JUMPED = auto()
     FROZEN = auto()
+    SILENT = auto()
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,7 @@ RULES: Mapping[Condition, Rule] = MappingProxyType(
         Condition.FROZEN: Rule(
             Reaction.FREEZE, True, 'measurements do not change though the arm is told to move'
         ),
+        Condition.SILENT: Rule(Reaction.FREEZE, True, 'no joint states'),
     }
 )
 

@@ -105,7 +105,7 @@ class Tracker:
         if isinstance(verdict, Refusal):
             self.counters.refuse(verdict)
             code = ResultCode.STALE if verdict is Refusal.STALE else ResultCode.REJECTED
-            return SegmentResult(segment.stamp_ns, code, str(verdict))
+            return SegmentResult(segment.stamp_ns, code, self._words(verdict))
         assert self._execution is not None
         self.counters.accepted += 1
         self._last_stamp_ns = segment.stamp_ns
@@ -138,9 +138,13 @@ class Tracker:
         self._law.step(execution.reference.position, dt, settle=not self.latched)
         return self._answer()
 
-    def stop(self, reason: str) -> None:
+    def stop(self) -> None:
         """Freeze at the measured tip, now and until `reset`; the running segment FAULTs."""
-        self._fault(Condition.STOPPED, reason)
+        self._fault(Condition.STOPPED)
+
+    def silence(self) -> None:
+        """Freeze as after `stop`, because measurements have ceased."""
+        self._fault(Condition.SILENT)
 
     def reset(self) -> None:
         """Forget latched faults; the arm goes on holding where it is."""
@@ -154,6 +158,13 @@ class Tracker:
     def resume(self) -> None:
         """Run on from where `pause` stopped."""
         self.conditions &= ~Condition.PAUSED
+
+    def _words(self, refusal: Refusal) -> str:
+        """Return the reason of a refusal, and what has stopped the arm if that is it."""
+        if refusal is not Refusal.STOPPED:
+            return str(refusal)
+        latched = decide(self.conditions).latched
+        return f'{refusal}: {", ".join(decide(latched).causes)}'
 
     def _judge(self, segment: Segment, age_s: float) -> Admission | Refusal:
         if self._execution is None:
@@ -206,9 +217,9 @@ class Tracker:
         self._react(Condition.CONTACT, ResultCode.BLOCKED, touch.value, values, self.tip)
         self._contact.disarm()
 
-    def _fault(self, condition: Condition, reason: str = '', at: Array | None = None) -> None:
+    def _fault(self, condition: Condition, at: Array | None = None) -> None:
         self.counters.faults += condition not in self.conditions
-        reason = reason or decide(condition).causes[0]
+        reason = decide(condition).causes[0]
         self._react(condition, ResultCode.FAULT, reason, {}, self.tip if at is None else at)
 
     def _distrust(self, condition: Condition) -> None:
