@@ -2,10 +2,12 @@
 """What the tracker's node does between two states."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 import os
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -84,3 +86,14 @@ def test_nothing_is_compiled_once_the_tracker_is_configured(tmp_path):
     before, after = map(int, done.stdout.split()[-2:])
     assert before > 0
     assert after == 0
+
+
+def test_what_stops_the_arm_is_logged_once(tracker, monkeypatch):
+    said = []
+    assert tracker.trigger_activate() == SUCCESS
+    monkeypatch.setattr(tracker, 'get_logger', lambda: SimpleNamespace(error=said.append))
+    for _ in range(3):
+        tracker._on_sample(replace(at_rest(), position=np.full(7, np.nan)))
+    assert said == ['frozen until reset: measurement is not finite']
+    tracker._stop()
+    assert said[1:] == ['frozen until reset: stop asked for, measurement is not finite']

@@ -11,7 +11,7 @@ import numpy as np
 from std_srvs.srv import Trigger
 
 from lwr_description import JOINT_NAMES, Kinematics, Mount
-from lwr_tracking.core.failsafe import decide
+from lwr_tracking.core.failsafe import Condition, decide
 from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.tracker import Tracker
@@ -94,6 +94,7 @@ class TrackerNode(WorkspaceNode):
         self._tracker = Tracker(self._parameters, self._kinematics)
         # Joint states are heard while inactive as well: the watch on them begins now.
         self._sample, self._overdue = None, False
+        self._latched = Condition.NONE
 
     def deactivate(self) -> None:
         """Bring the arm to rest on its path, then command nothing more."""
@@ -123,6 +124,7 @@ class TrackerNode(WorkspaceNode):
             return
         self._sample = None
         self._tracker.silence()
+        self._tell()
 
     def health(self) -> Health:
         """Report conditions, counters and the last measurement."""
@@ -159,8 +161,16 @@ class TrackerNode(WorkspaceNode):
         if self.active:
             self._cycle(sample)
 
+    def _tell(self) -> None:
+        """Log what has stopped the arm until reset, once."""
+        latched = decide(self._tracker.conditions).latched
+        if latched & ~self._latched:
+            self.get_logger().error(f'frozen until reset: {", ".join(decide(latched).causes)}')
+        self._latched = latched
+
     def _cycle(self, sample: JointSample) -> None:
         tick = self._tracker.tick(time.monotonic(), sample)
+        self._tell()
         if tick.command is not None:
             self._sent.append(tick.command)
             self._commands.publish(commands.to_msg(tick.command))
@@ -183,6 +193,7 @@ class TrackerNode(WorkspaceNode):
 
     def _stop(self) -> str:
         self._tracker.stop()
+        self._tell()
         return 'frozen until reset'
 
     def _reset(self) -> str:

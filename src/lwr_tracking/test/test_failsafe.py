@@ -2,12 +2,13 @@
 """The strictest reaction wins, for every set of conditions."""
 
 from itertools import combinations
+from pathlib import Path
 
 from hypothesis import given
 from hypothesis import strategies as st
 import pytest
 
-from lwr_tracking.core.failsafe import RULES, Condition, Reaction, decide
+from lwr_tracking.core.failsafe import RULES, Condition, Reaction, decide, markdown_table
 
 ALL = list(Condition)
 
@@ -47,3 +48,8 @@ def test_it_is_the_join_of_its_parts(conditions):
 def test_only_freezing_latches():
     assert all(rule.reaction is Reaction.FREEZE for rule in RULES.values() if rule.latches)
     assert not RULES[Condition.CONTACT].latches
+
+
+def test_every_rule_is_in_the_documentation():
+    page = Path(__file__).parents[3] / 'docs' / 'faults.md'
+    assert markdown_table() in page.read_text(encoding='utf-8')

@@ -91,6 +91,15 @@ class Decision:
     causes: tuple[str, ...]
 
 
+def markdown_table() -> str:
+    """Return all rules, the strictest first, as a table."""
+    rows = ['| condition | cause, in words | reaction | until |', '|---|---|---|---|']
+    for condition, rule in sorted(RULES.items(), key=lambda item: -item[1].reaction):
+        until = 'reset' if rule.latches else 'it has gone'
+        rows.append(f'| {condition.name} | {rule.cause} | {rule.reaction.name} | {until} |')
+    return '\n'.join(rows)
+
+
 @cache
 def decide(conditions: Condition) -> Decision:
     """Return the answer to all conditions together."""
