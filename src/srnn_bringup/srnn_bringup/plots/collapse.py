@@ -104,7 +104,7 @@ def _states(found: dict[str, Any], rate: float) -> str:
     for signal in found['triggers']:
         states = found['settings'][f'{signal} {rate:g}']['states']
         fine.append(f'{states.count("fine")} of {len(states)} {LABELS[signal]}')
-    return f'rate {rate:g}: fine in\n{", ".join(fine)}'
+    return f'rate {rate:g}, fine: {fine[0]},\n{", ".join(fine[1:])}'
 
 
 def _largest(found: dict[str, Any], name: str) -> float:
