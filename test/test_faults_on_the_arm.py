@@ -124,3 +124,21 @@ def test_a_measurement_that_is_not_true_is_not_followed(speed, joint, value):
     made.run(0.5)
     assert not made.tracker.latched
     assert np.linalg.norm(made.arm.tip_truth - before) <= 0.006
+
+
+@pytest.mark.parametrize('leap_s', [-10.0, 3600.0])
+def test_a_system_clock_that_is_set_changes_no_command(leap_s):
+    """Row 15: the loop runs on the steady clock; stamps only tell one measurement from another."""
+
+    def commands(leap_ns: int) -> bytes:
+        made, told = moving(0.2, 2.0), []
+        for k in range(250):
+            stamp = int(made.arm.time * 1e9) + 10**11 + (leap_ns if k > 100 else 0)
+            tick = made.tracker.tick(made.arm.time, made.arm.sample(stamp))
+            assert made.arm.command(tick.command) is None
+            made.arm.step(PHYSICS_PER_TICK)
+            told.append(tick.command.tobytes())
+        assert not made.tracker.conditions
+        return b''.join(told)
+
+    assert commands(round(leap_s * 1e9)) == commands(0)
