@@ -8,7 +8,7 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check -qq
 PACKAGES := $(patsubst %/setup.py,%,$(wildcard src/*/setup.py))
 BUILD_FILES := $(wildcard src/*/setup.py src/*/setup.cfg src/*/package.xml)
 
-.PHONY: setup demo test test-slow lint clean
+.PHONY: setup demo test test-slow test-faults lint clean
 
 setup: $(VENV)/.packages
 
@@ -20,6 +20,9 @@ test: setup
 
 test-slow: setup
 	$(BIN)/python -m pytest -m slow $(ARGS)
+
+test-faults: setup
+	$(BIN)/python -m pytest test/faults --injections 20 $(ARGS)
 
 lint: setup
 	$(BIN)/ruff check .

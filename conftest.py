@@ -6,6 +6,7 @@ from pathlib import Path
 import tempfile
 
 from hypothesis import settings
+import pytest
 
 # Read when rclpy and the message packages are imported, hence before any fixture.
 os.environ['ROS_AUTOMATIC_DISCOVERY_RANGE'] = 'LOCALHOST'
@@ -16,3 +17,11 @@ os.environ['OPENBLAS_NUM_THREADS'] = '1'
 
 settings.register_profile('workspace', deadline=None, derandomize=True, database=None)
 settings.load_profile('workspace')
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Let the fault tests be short every day, and thorough when asked."""
+    parser.addoption(
+        '--injections', type=int, default=3, metavar='N',
+        help='how often every fault is injected (default: %(default)s)',
+    )

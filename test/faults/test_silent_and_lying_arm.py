@@ -2,19 +2,15 @@
 """What the arm does when measurements or commands fail. Simulated time only."""
 
 from dataclasses import replace
-from pathlib import Path
-import sys
 
 from arm_rig import PERIOD, PHYSICS_PER_TICK, Rig, rig
 import numpy as np
 import pytest
+from segments import line
 
 from lwr_tracking.core.failsafe import Condition
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.result import ResultCode
-
-sys.path.insert(0, str(Path(__file__).parents[1] / 'src' / 'lwr_tracking' / 'test'))
-from segments import line
 
 SPEEDS = pytest.mark.parametrize('speed', [0.05, 0.1, 0.2])
 ANGLES = pytest.mark.parametrize('angle', np.linspace(0.0, 2.0 * np.pi, 7)[:-1])

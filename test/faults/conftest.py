@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gives fault tests one ledger for the whole run, and shows its table at the end."""
+
+from pathlib import Path
+import sys
+
+from fault_ledger import FaultLedger
+import pytest
+
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT / 'test'), str(ROOT / 'src' / 'lwr_tracking' / 'test')]
+
+LEDGER = pytest.StashKey[FaultLedger]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.stash[LEDGER] = FaultLedger(config.getoption('--injections'))
+
+
+@pytest.fixture
+def ledger(request: pytest.FixtureRequest) -> FaultLedger:
+    return request.config.stash[LEDGER]
+
+
+def pytest_terminal_summary(terminalreporter, config: pytest.Config) -> None:
+    if config.stash[LEDGER].injections:
+        terminalreporter.section('injected faults')
+        for line in config.stash[LEDGER].table():
+            terminalreporter.write_line(line)
