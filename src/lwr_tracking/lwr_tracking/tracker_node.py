@@ -77,7 +77,7 @@ class TrackerNode(WorkspaceNode):
         self._ticks = 0
         # The oldest command is as old as the arm is behind its commands.
         self._sent: deque[np.ndarray] = deque(
-            maxlen=max(1, round(self._parameters.law.lead / self._parameters.gate.period))
+            maxlen=max(1, round(self._parameters.law.lead / self._parameters.period))
         )
         self._commands = self.advertise('forward_position_controller/commands')
         self._executed = self.advertise('executed')
@@ -99,7 +99,7 @@ class TrackerNode(WorkspaceNode):
     def deactivate(self) -> None:
         """Bring the arm to rest on its path, then command nothing more."""
         self._tracker.pause()
-        period = self._parameters.gate.period
+        period = self._parameters.period
         until = time.monotonic() + LONGEST_STOP
         while self._sample is not None and time.monotonic() < until:
             reference = self._tracker.reference
@@ -141,9 +141,10 @@ class TrackerNode(WorkspaceNode):
         }
         if self._sample is None:
             return Health(HealthLevel.ERROR, 'no joint states', values)
-        causes = decide(self._tracker.conditions).causes
-        level = HealthLevel.ERROR if self._tracker.latched else HealthLevel.OK
-        return Health(level, ', '.join(causes), values)
+        decision = decide(self._tracker.conditions)
+        level = HealthLevel.WARN if decision.causes else HealthLevel.OK
+        level = HealthLevel.ERROR if decision.latched else level
+        return Health(level, ', '.join(decision.causes), values)
 
     def _pair(self, msg: Any) -> JointSample:
         if self._external is None:

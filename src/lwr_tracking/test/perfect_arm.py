@@ -2,11 +2,12 @@
 """An arm without physics for tests: it is where it was last commanded."""
 
 from collections.abc import Iterable
+from functools import cache
 
 import numpy as np
 from segments import line
 
-from lwr_description import Kinematics, Mount
+from lwr_description import POSITION_MAX, Kinematics, Mount
 from lwr_tracking.core import Finished, LawParameters, Tracker, TrackerParameters
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.segment import Segment
@@ -67,3 +68,18 @@ def started(arm, speed=0.1, seconds=1.0):
     """Let a straight segment run for a while."""
     assert arm.tracker.offer(line((0.0, 0.0), (0.2, 0.0), speed), 0.0) is None
     arm.run(seconds)
+
+
+@cache
+def swivelled(margin):
+    """Return a posture with the tip in the centre, a joint `margin` [rad] from its limit."""
+    kinematics = Kinematics(Mount())
+    q = kinematics.inverse((0.0, 0.0, 0.0))
+    target = kinematics.tip(q)
+    while (POSITION_MAX - np.abs(q)).min() > margin:
+        still = np.linalg.svd(kinematics.jacobian(q))[2][3:]
+        swivel = still.T @ still[:, 2]
+        q = q + 0.01 * swivel / np.linalg.norm(swivel)
+        jacobian = kinematics.jacobian(q)
+        q = q - jacobian.T @ np.linalg.solve(jacobian @ jacobian.T, kinematics.tip(q) - target)
+    return q

@@ -26,7 +26,7 @@ def sample(number, position=HOME, **changes):
 
 @pytest.fixture
 def watch():
-    watch = JointWatch(WatchParameters())
+    watch = JointWatch(WatchParameters(), 0.004)
     assert watch.judge(sample(1), HOME) is Condition.NONE
     return watch
 
@@ -51,7 +51,7 @@ def test_angles_beyond_the_limits_are_not_true(watch, joint):
 
 @given(st.integers(0, 6), st.integers(1, 5), st.floats(0.0, 4.0))
 def test_a_joint_may_move_twice_as_fast_as_it_can(joint, missed, share):
-    watch = JointWatch(WatchParameters())
+    watch = JointWatch(WatchParameters(), 0.004)
     watch.judge(sample(1), HOME)
     position = HOME.copy()
     position[joint] += share * VELOCITY_MAX[joint] * missed * 0.004

@@ -17,6 +17,7 @@ class Counters:
         yields: times the arm gave way because it was pushed while holding still.
         faults: reactions that latched.
         soft_stops: segments that nothing continued in time.
+        late_ticks: measurements that were answered late.
 
     """
 
@@ -26,6 +27,7 @@ class Counters:
     yields: int = 0
     faults: int = 0
     soft_stops: int = 0
+    late_ticks: int = 0
 
     def refuse(self, reason: Refusal) -> None:
         """Count one segment that was not executed."""

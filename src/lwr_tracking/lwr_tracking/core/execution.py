@@ -48,6 +48,11 @@ class Execution:
         self._recorder: PathRecorder | None = None
         self._ending: list[PathRecorder] = []
 
+    @property
+    def running(self) -> bool:
+        """Tell whether the reference is on a segment."""
+        return self.reference.running is not None
+
     def accept(self, admission: Admission) -> tuple[Finished, ...]:
         """Run an admitted segment next; return the waiting one that it replaces."""
         starts = self.reference.running is None

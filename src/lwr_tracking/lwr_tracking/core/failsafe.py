@@ -35,6 +35,12 @@ class Condition(Flag):
     JUMPED = auto()
     FROZEN = auto()
     SILENT = auto()
+    JOINT_LIMIT = auto()
+    SINGULAR = auto()
+    SATURATED = auto()
+    REPEATED = auto()
+    OVERLOADED = auto()
+    LOADED = auto()
 
 
 @dataclass(frozen=True)
@@ -71,6 +77,20 @@ RULES: Mapping[Condition, Rule] = MappingProxyType(
             Reaction.FREEZE, True, 'measurements do not change though the arm is told to move'
         ),
         Condition.SILENT: Rule(Reaction.FREEZE, True, 'no joint states'),
+        Condition.JOINT_LIMIT: Rule(Reaction.FREEZE, True, 'joint at its limit'),
+        Condition.SINGULAR: Rule(Reaction.FREEZE, True, 'posture almost singular'),
+        Condition.SATURATED: Rule(
+            Reaction.FREEZE, True, 'joint at its limit of speed or torque'
+        ),
+        Condition.REPEATED: Rule(
+            Reaction.FREEZE, True, 'contact at the same place again and again'
+        ),
+        Condition.OVERLOADED: Rule(
+            Reaction.SOFT_STOP, False, 'measurements are answered too late'
+        ),
+        Condition.LOADED: Rule(
+            Reaction.REJECT, False, 'force on the tip at rest: contact could not be told'
+        ),
     }
 )
 

@@ -26,11 +26,12 @@ class JointWatch:
     until it is back, or until `restart`.
     """
 
-    def __init__(self, parameters: WatchParameters) -> None:
-        """Have seen nothing."""
+    def __init__(self, parameters: WatchParameters, period: float) -> None:
+        """Have seen nothing; `period` is the nominal time between two joint states [s]."""
         self._parameters = parameters
+        self._period = period
         self._reach = (_JUMP * VELOCITY_MAX).tolist()
-        self._surely = min(self._reach) * parameters.period
+        self._surely = min(self._reach) * period
         self._farthest = (POSITION_MAX + parameters.position_tolerance).tolist()
         self.restart()
 
@@ -83,7 +84,7 @@ class JointWatch:
 
     def _too_far(self, moved: list[float], stamp_ns: int) -> bool:
         # Bounded on both sides: the system clock, from which stamps are, may be set.
-        elapsed = max(1e-9 * (stamp_ns - self._stamp_ns), self._parameters.period)
+        elapsed = max(1e-9 * (stamp_ns - self._stamp_ns), self._period)
         seconds = min(elapsed, self._parameters.gap)
         return _exceeds(moved, [speed * seconds for speed in self._reach])
 

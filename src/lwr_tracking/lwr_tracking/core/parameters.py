@@ -43,10 +43,6 @@ class GateParameters(Parameters):
         doc='Largest acceleration anywhere on the path; times the period it is also the '
         'largest step in velocity at the start.',
     )
-    period: float = parameter(
-        0.004, unit='s', above=0.0, maximum=0.1,
-        doc='Nominal time between two commands.',
-    )
     blend: float = parameter(
         0.3, unit='s', above=0.0, maximum=5.0,
         doc='Time in which a small offset at the start fades out.',
@@ -77,6 +73,18 @@ class ContactParameters(Parameters):
     samples: int = parameter(
         2, minimum=1, maximum=100,
         doc='Samples in a row that must agree.',
+    )
+    repeats: int = parameter(
+        3, minimum=1, maximum=100,
+        doc='Contacts at one place, within the window, that do not stop the arm until reset.',
+    )
+    window: float = parameter(
+        2.0, unit='s', above=0.0, maximum=60.0,
+        doc='Time in which contacts count as repeated.',
+    )
+    place: float = parameter(
+        0.01, unit='m', above=0.0, maximum=0.2,
+        doc='The tip has left the place of a contact once it is farther away than this.',
     )
 
     def check(self) -> None:
@@ -135,6 +143,23 @@ class LimitParameters(Parameters):
         0.035, unit='rad', minimum=0.0, maximum=0.5,
         doc='Distance that commands keep from the joint limits.',
     )
+    slow_margin: float = parameter(
+        0.087, unit='rad', above=0.0, maximum=1.0,
+        doc='Nearer to a joint limit than this, motion towards it is slowed down.',
+    )
+    singular: float = parameter(
+        0.05, unit='m/rad', minimum=0.0, maximum=1.0,
+        doc='Smallest singular value of the Jacobian of the tip that is moved to.',
+    )
+    slow_singular: float = parameter(
+        0.10, unit='m/rad', above=0.0, maximum=1.0,
+        doc='Below this singular value motion towards smaller ones is slowed down.',
+    )
+    patience: float = parameter(
+        0.020, unit='s', minimum=0.0, maximum=1.0,
+        doc='Motion that has been hindered for this long, by joint limits, a singular posture, or '
+        'limits of joint speed or torque, stops the arm.',
+    )
     velocity_share: float = parameter(
         0.8, above=0.0, maximum=1.0,
         doc='Share of the joint velocity limits that commands may use.',
@@ -144,15 +169,22 @@ class LimitParameters(Parameters):
         doc='Difference of commanded and measured joint angle that is a fault.',
     )
 
+    def check(self) -> None:
+        """Refuse zones that are inside out."""
+        if self.slow_margin <= self.position_margin:
+            raise self.refuse(
+                'slow_margin', self.slow_margin, f'> position_margin = {self.position_margin:g}'
+            )
+        if self.slow_singular <= self.singular:
+            raise self.refuse(
+                'slow_singular', self.slow_singular, f'> singular = {self.singular:g}'
+            )
+
 
 @dataclass(frozen=True)
 class WatchParameters(Parameters):
     """What a joint state must obey to be believed."""
 
-    period: float = parameter(
-        0.004, unit='s', above=0.0, maximum=0.1,
-        doc='Nominal time between two joint states.',
-    )
     gap: float = parameter(
         0.02, unit='s', above=0.0, maximum=0.5,
         doc='Missing joint states excuse a jump of the angles for no longer than this.',
@@ -170,18 +202,22 @@ class WatchParameters(Parameters):
         doc='Joint states in a row that say the same until the measurement counts as frozen.',
     )
 
-    def check(self) -> None:
-        """Refuse a gap that is shorter than the time between two joint states."""
-        if self.gap < self.period:
-            raise self.refuse('gap', self.gap, f'>= period = {self.period:g}')
-
 
 @dataclass(frozen=True)
 class TrackerParameters(Parameters):
     """All parameters of the tracker."""
 
+    period: float = parameter(
+        0.004, unit='s', above=0.0, maximum=0.1,
+        doc='Nominal time between two joint states, and between two commands.',
+    )
     gate: GateParameters = field(default_factory=GateParameters)
     contact: ContactParameters = field(default_factory=ContactParameters)
     law: LawParameters = field(default_factory=LawParameters)
     limits: LimitParameters = field(default_factory=LimitParameters)
     watch: WatchParameters = field(default_factory=WatchParameters)
+
+    def check(self) -> None:
+        """Refuse a watch whose gap is shorter than the time between two joint states."""
+        if self.watch.gap < self.period:
+            raise self.refuse('watch.gap', self.watch.gap, f'>= period = {self.period:g}')

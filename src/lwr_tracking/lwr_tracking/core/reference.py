@@ -24,6 +24,7 @@ class Reference:
         position: (3,) [m] in `srnn_workspace`.
         velocity: (3,) [m/s].
         paused: brake along the path and stand still.
+        pace: share of its speed that the arm can follow now, 0 to 1.
         soft_stops: segments that ended in a soft stop because nothing continued them.
 
     """
@@ -34,6 +35,7 @@ class Reference:
         self.waiting: Admission | None = None
         self.clock = 0.0
         self.paused = False
+        self.pace = 1.0
         self.soft_stops = 0
         self.position = np.array(position)
         self.velocity = np.zeros(3)
@@ -68,11 +70,16 @@ class Reference:
 
     def advance(self, dt: float) -> Admission | None:
         """Move on by `dt` [s]; return the segment that came to its end, if one did."""
-        ended = self._advance_path(dt)
-        self._advance_height(dt)
+        ended = self._advance_path(self.pace * dt)
+        self._advance_height(self.pace * dt)
         self.position[0], self.position[1] = self._state.x, self._state.y
         self.velocity[0], self.velocity[1] = self._state.vx, self._state.vy
         return ended
+
+    def halt(self) -> None:
+        """Begin anew from rest where the reference is, because the arm has come to rest there."""
+        if self._time is not None and not self._time.braking:
+            self._time.rate = 0.0
 
     def freeze(self, x: float, y: float) -> tuple[Admission | None, Admission | None]:
         """Hold a point at once [m]; return the running and the waiting segment, dropped."""

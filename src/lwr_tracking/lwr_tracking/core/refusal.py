@@ -24,6 +24,7 @@ class Refusal(StrEnum):
     JUMP = 'positions do not fit the velocities'
     NO_ROOM = 'too short to come to rest at its end'
     NOT_STARTED = 'the arm has not reported yet'
+    LOADED = 'the tip is loaded at rest'
     PAUSED = 'paused'
     STOPPED = 'stopped until reset'
     SUPERSEDED = 'superseded'

@@ -11,22 +11,48 @@ from lwr_tracking.core.spd_solve import solve_spd3
 
 Array = NDArray[np.float64]
 
+NEGLIGIBLE = 1e-3
+"""A joint slower than this share of its speed limit does not count as moving."""
+
 
 class Bounds(NamedTuple):
     """What a step keeps to.
 
     Attributes:
         position: (7,) largest joint angles of either sign [rad].
+        slow_position: (7,) joint angles from which on motion outwards is slowed down [rad].
         velocity: (7,) largest joint speeds [rad/s].
         tip_speed: largest speed of the tip [m/s].
         damping: square of the damping of the inverse [m^2].
+        singular: smallest singular value of the Jacobian that is moved to [m/rad].
+        slow_singular: below this one motion towards smaller ones is slowed down [m/rad].
 
     """
 
     position: Array
+    slow_position: Array
     velocity: Array
     tip_speed: float
     damping: float
+    singular: float
+    slow_singular: float
+
+
+class Step(NamedTuple):
+    """A command, and how free it was.
+
+    Attributes:
+        command: (7,) joint angles [rad].
+        outward: share of its speed that is left to a joint that nears its limit, 0 to 1.
+        dexterity: the same for an arm that nears a singular posture.
+        saturated: a joint would have had to be faster than it may.
+
+    """
+
+    command: Array
+    outward: float
+    dexterity: float
+    saturated: bool
 
 
 class ResolvedRate:
@@ -37,8 +63,8 @@ class ResolvedRate:
         self._kinematics = kinematics
         self._bounds = bounds
 
-    def step(self, command: Array, target: Array, dt: float, draw: float) -> Array:
-        """Return the command (7,) [rad] whose tip is nearest to the target after `dt`.
+    def step(self, command: Array, target: Array, dt: float, draw: float) -> Step:
+        """Return the command whose tip is nearest to the target after `dt`.
 
         Args:
             command: (7,) last command [rad].
@@ -54,16 +80,41 @@ class ResolvedRate:
         gram = jacobian.dot(jacobian.T) + bounds.damping * np.eye(3)
         move = posture + jacobian.T.dot(solve_spd3(gram, wanted - jacobian.dot(posture)))
         # One factor for all joints keeps the direction of the tip.
-        excess = np.abs(move / bounds.velocity).max()
-        if excess > dt:
+        excess = float(np.abs(move / bounds.velocity).max())
+        saturated = excess > dt
+        if saturated:
             move *= dt / excess
+        outward = self._outward(command, move, dt)
+        dexterity = self._dexterity(command, move, jacobian)
+        move *= min(outward, dexterity)
         # A command that starts outside the limits must not jump back inside.
         high = np.maximum(bounds.position, command)
         low = np.minimum(-bounds.position, command)
         within: Array = np.minimum(np.maximum(command + move, low), high)
-        return within
+        return Step(within, outward, dexterity, saturated)
+
+    def _outward(self, command: Array, move: Array, dt: float) -> float:
+        bounds = self._bounds
+        moving = np.abs(move) > NEGLIGIBLE * bounds.velocity * dt
+        outwards = moving & (move * command > 0.0)
+        left = (bounds.position - np.abs(command)) / (bounds.position - bounds.slow_position)
+        return float(np.clip(left[outwards], 0.0, 1.0).min(initial=1.0))
+
+    def _dexterity(self, command: Array, move: Array, jacobian: Array) -> float:
+        bounds = self._bounds
+        here = _smallest(jacobian)
+        if here >= bounds.slow_singular:
+            return 1.0
+        if _smallest(self._kinematics.jacobian(command + move)) >= here:
+            return 1.0
+        left = (here - bounds.singular) / (bounds.slow_singular - bounds.singular)
+        return float(np.clip(left, 0.0, 1.0))
 
 
 def _bounded(vector: Array, length: float) -> Array:
     size = float(vector.dot(vector)) ** 0.5
     return vector if size <= length else vector * (length / size)
+
+
+def _smallest(jacobian: Array) -> float:
+    return float(np.linalg.svd(jacobian, compute_uv=False)[-1])

@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 from lwr_description import DOF, Kinematics
 from lwr_description.compiled import compiled
 from lwr_description.kinematics_kernel import jacobian_at
+from lwr_tracking.core.manipulability import smallest_singular_value
 from lwr_tracking.core.products import gram, times
-from lwr_tracking.core.resolved_rate import Bounds
+from lwr_tracking.core.resolved_rate import NEGLIGIBLE, Bounds, Step
 from lwr_tracking.core.spd_solve import solve_spd3
 
 Array = NDArray[np.float64]
@@ -27,10 +28,9 @@ class ResolvedRate:
         )  # fmt: skip
         self._compiled = compiled(_step, *self._arm, np.zeros(DOF), np.zeros(3), 0.0, 0.0)
 
-    def step(self, command: Array, target: Array, dt: float, draw: float) -> Array:
+    def step(self, command: Array, target: Array, dt: float, draw: float) -> Step:
         """See `resolved_rate.ResolvedRate`."""
-        following: Array = self._compiled(*self._arm, command, target, dt, draw)
-        return following
+        return Step(*self._compiled(*self._arm, command, target, dt, draw))
 
 
 @numba.njit(cache=True)
@@ -39,6 +39,7 @@ def _step(still, tip_site, tip_world, origin, home, bounds, command, target, dt,
     jacobian, move, wanted = np.empty((3, joints)), np.empty(joints), np.empty(3)
     jacobian_at(still, tip_site, command, jacobian)
     matrix = gram(jacobian)
+    smallest = smallest_singular_value(matrix)
     square = 0.0
     for k in range(3):
         matrix[k, k] += bounds.damping
@@ -57,9 +58,29 @@ def _step(still, tip_site, tip_world, origin, home, bounds, command, target, dt,
         for k in range(3):
             move[i] += jacobian[k, i] * solved[k]
         excess = max(excess, abs(move[i]) / bounds.velocity[i])
-    share = dt / excess if excess > dt else 1.0
+    saturated = excess > dt
+    share, outward = dt / excess if saturated else 1.0, 1.0
+    for i in range(joints):
+        move[i] *= share
+        if abs(move[i]) > NEGLIGIBLE * bounds.velocity[i] * dt and move[i] * command[i] > 0.0:
+            zone = bounds.position[i] - bounds.slow_position[i]
+            outward = min(outward, (bounds.position[i] - abs(command[i])) / zone)
+    outward = max(outward, 0.0)
+    slowed = _dexterity(still, tip_site, bounds, command, move, smallest, jacobian)
+    pace = min(outward, slowed)
     for i in range(joints):
         high = max(bounds.position[i], command[i])
         low = min(-bounds.position[i], command[i])
-        move[i] = min(max(command[i] + share * move[i], low), high)
-    return move
+        move[i] = min(max(command[i] + pace * move[i], low), high)
+    return move, outward, slowed, saturated
+
+
+@numba.njit(cache=True)
+def _dexterity(still, tip_site, bounds, command, move, smallest, jacobian):
+    if smallest >= bounds.slow_singular:
+        return 1.0
+    jacobian_at(still, tip_site, command + move, jacobian)
+    if smallest_singular_value(gram(jacobian)) >= smallest:
+        return 1.0
+    left = (smallest - bounds.singular) / (bounds.slow_singular - bounds.singular)
+    return min(max(left, 0.0), 1.0)

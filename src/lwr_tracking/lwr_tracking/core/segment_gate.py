@@ -123,7 +123,7 @@ def _broken_join(
     vx, vy = segment.velocities[0].tolist()
     if not np.hypot(x - state.x, y - state.y) <= gate.start_distance:
         yield Refusal.START_POSITION
-    if not np.hypot(vx - state.vx, vy - state.vy) <= gate.acceleration_limit * gate.period:
+    if not np.hypot(vx - state.vx, vy - state.vy) <= gate.acceleration_limit * parameters.period:
         yield Refusal.LATE if join.late else Refusal.START_VELOCITY
 
 

@@ -14,10 +14,14 @@ from lwr_tracking.core.errors import ClockError
 from lwr_tracking.core.execution import Execution, Finished
 from lwr_tracking.core.failsafe import Condition, Reaction, decide
 from lwr_tracking.core.joint_watch import JointWatch
+from lwr_tracking.core.load_check import LoadCheck
+from lwr_tracking.core.motion_watch import MotionWatch
 from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
+from lwr_tracking.core.repeated_stops import RepeatedStops
 from lwr_tracking.core.segment_gate import Admission, Join, judge
+from lwr_tracking.core.tick_watch import TickWatch
 from lwr_tracking.core.tip_estimate_kernel import TipEstimate
 from lwr_tracking.core.tracking_law import TrackingLaw
 from srnn_msgs_py.joints import JointSample
@@ -64,7 +68,11 @@ class Tracker:
         self._estimate = TipEstimate(kinematics)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
         self._contact = ContactObserver(parameters.contact)
-        self._watch = JointWatch(parameters.watch)
+        self._watch = JointWatch(parameters.watch, parameters.period)
+        self._motion = MotionWatch(parameters.limits)
+        self._ticks = TickWatch(parameters.period)
+        self._stops = RepeatedStops(parameters.contact)
+        self._load: LoadCheck | None = LoadCheck(parameters.contact.rearm_force)
         self._execution: Execution | None = None
         self._now: float | None = None
         self._last_stamp_ns: int | None = None
@@ -108,6 +116,7 @@ class Tracker:
             return SegmentResult(segment.stamp_ns, code, self._words(verdict))
         assert self._execution is not None
         self.counters.accepted += 1
+        self._load = None
         self._last_stamp_ns = segment.stamp_ns
         self._finish(self._execution.accept(verdict))
         return None
@@ -134,8 +143,12 @@ class Tracker:
             self._fault(Condition.DIVERGED)
             self._law.follow(sample.position, dt)
             return self._answer()
-        self._advance(execution, dt, force)
+        self._advance(execution, now, dt, force)
         self._law.step(execution.reference.position, dt, settle=not self.latched)
+        hindrance = self._motion.judge(dt, self._law.freedom, sample, execution.running)
+        # Once only: a point that is held must not wander with the arm.
+        if hindrance & ~self.conditions:
+            self._fault(hindrance)
         return self._answer()
 
     def stop(self) -> None:
@@ -150,6 +163,7 @@ class Tracker:
         """Forget latched faults; the arm goes on holding where it is."""
         self.conditions &= ~decide(self.conditions).latched
         self._watch.restart()
+        self._stops.forget()
 
     def pause(self) -> None:
         """Come to rest on the path and refuse segments until `resume`."""
@@ -171,6 +185,8 @@ class Tracker:
             return Refusal.NOT_STARTED
         if self.latched:
             return Refusal.STOPPED
+        if Condition.LOADED in self.conditions:
+            return Refusal.LOADED
         if Condition.PAUSED in self.conditions:
             return Refusal.PAUSED
         state, late = self._execution.reference.join()
@@ -181,6 +197,11 @@ class Tracker:
             raise ClockError(f'now = {now}: must be a finite time in seconds')
         before, self._now = self._now, now
         step = 0.0 if before is None else now - before
+        self._set(Condition.OVERLOADED, self._ticks.tick(step))
+        self.counters.late_ticks = self._ticks.late
+        if step > self._parameters.limits.max_step and self._execution is not None:
+            # Without commands for so long the arm side holds its pose.
+            self._execution.reference.halt()
         return min(max(step, 0.0), self._parameters.limits.max_step)
 
     def _start(self, sample: JointSample) -> Execution:
@@ -194,28 +215,38 @@ class Tracker:
         distance: list[float] = (self._law.command - sample.position).tolist()
         return max(map(abs, distance)) > self._parameters.limits.joint_divergence
 
-    def _advance(self, execution: Execution, dt: float, force: Array) -> None:
+    def _advance(self, execution: Execution, now: float, dt: float, force: Array) -> None:
         decision = decide(self.conditions)
         execution.reference.paused = decision.reaction >= Reaction.SOFT_STOP
+        execution.reference.pace = min(self._law.freedom.outward, self._law.freedom.dexterity)
         stops_before = execution.reference.soft_stops
         self._finish(execution.advance(dt, self.tip))
         self.counters.soft_stops += execution.reference.soft_stops - stops_before
         fx, fy, _ = force.tolist()
         ex, ey, _ = execution.error.tolist()
         touch = self._contact.update(fx, fy, ex, ey)
-        running = execution.reference.running is not None
+        if self._load is not None:
+            self._set(Condition.LOADED, self._load.loaded(self._contact.force))
+        running = execution.running
+        self._stops.moved(self.tip)
         if touch is Touch.ERROR or (touch is Touch.FORCE and running):
-            self._touch(touch, running)
+            self._touch(touch, running, now)
         elif not self._contact.loaded and not decision.latched:
             # Under load the integral would only wind up against the obstacle.
             self._law.correct(execution.error, dt)
 
-    def _touch(self, touch: Touch, running: bool) -> None:
+    def _touch(self, touch: Touch, running: bool, now: float) -> None:
         self.counters.contacts += running
         self.counters.yields += not running
         values = {'force_n': self._contact.force, 'error_m': self._contact.error}
         self._react(Condition.CONTACT, ResultCode.BLOCKED, touch.value, values, self.tip)
         self._contact.disarm()
+        if running and self._stops.stop(now, self.tip):
+            self._fault(Condition.REPEATED)
+
+    def _set(self, condition: Condition, there: bool) -> None:
+        """Note a condition that comes and goes by itself."""
+        self.conditions = self.conditions | condition if there else self.conditions & ~condition
 
     def _fault(self, condition: Condition, at: Array | None = None) -> None:
         self.counters.faults += condition not in self.conditions

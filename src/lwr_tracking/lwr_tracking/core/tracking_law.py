@@ -8,7 +8,7 @@ from lwr_description import POSITION_MAX, VELOCITY_MAX, Kinematics
 from lwr_description.compiled import compiled
 from lwr_tracking.core.bounded_sum import add_bounded
 from lwr_tracking.core.parameters import LawParameters, LimitParameters
-from lwr_tracking.core.resolved_rate import Bounds
+from lwr_tracking.core.resolved_rate import Bounds, Step
 from lwr_tracking.core.resolved_rate_kernel import ResolvedRate
 
 Array = NDArray[np.float64]
@@ -25,6 +25,7 @@ class TrackingLaw:
     Attributes:
         command: (7,) last commanded joint angles [rad].
         correction: (3,) integral correction of the commanded tip [m].
+        freedom: how free the last command was; what it holds of a command is `command`.
 
     """
 
@@ -34,13 +35,17 @@ class TrackingLaw:
         """Command the home posture until `start` is called."""
         self.command = np.array(kinematics.home)
         self.correction = np.zeros(3)
+        self.freedom = Step(self.command, 1.0, 1.0, False)
         self._law = law
         self._velocity_max = VELOCITY_MAX * limits.velocity_share
         bounds = Bounds(
-            POSITION_MAX - limits.position_margin,
-            self._velocity_max,
-            law.tip_speed,
-            law.damping**2,
+            position=POSITION_MAX - limits.position_margin,
+            slow_position=POSITION_MAX - limits.slow_margin,
+            velocity=self._velocity_max,
+            tip_speed=law.tip_speed,
+            damping=law.damping**2,
+            singular=limits.singular,
+            slow_singular=limits.slow_singular,
         )
         self._kinematics = kinematics
         self._inverse = ResolvedRate(kinematics, bounds)
@@ -76,5 +81,6 @@ class TrackingLaw:
 
         """
         draw = self._law.posture_gain * dt if settle else 0.0
-        self.command = self._inverse.step(self.command, target + self.correction, dt, draw)
+        self.freedom = self._inverse.step(self.command, target + self.correction, dt, draw)
+        self.command = self.freedom.command
         return self.command

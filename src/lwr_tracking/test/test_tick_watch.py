@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One late tick is nothing, several in a row are an overload until it has gone for good."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lwr_tracking.core.tick_watch import RECOVERED, TOLERATED, TickWatch
+
+PERIOD = 0.004
+LATE, IN_TIME = 2.0 * PERIOD, 1.2 * PERIOD
+
+
+def test_the_fifth_late_tick_in_a_row_is_an_overload():
+    watch = TickWatch(PERIOD)
+    for _ in range(3):
+        assert not any(watch.tick(LATE) for _ in range(TOLERATED))
+        assert not watch.tick(IN_TIME)
+    assert [watch.tick(LATE) for _ in range(TOLERATED + 1)] == [False] * TOLERATED + [True]
+    assert watch.late == 4 * TOLERATED + 1
+
+
+def test_it_ends_after_many_ticks_in_time():
+    watch = TickWatch(PERIOD)
+    for _ in range(TOLERATED + 1):
+        watch.tick(LATE)
+    for _ in range(3):
+        assert all(watch.tick(IN_TIME) for _ in range(RECOVERED - 1))
+        assert watch.tick(LATE)
+    ends = [watch.tick(IN_TIME) for _ in range(RECOVERED)]
+    assert ends == [True] * (RECOVERED - 1) + [False]
+    assert not watch.tick(LATE)
+
+
+@given(st.lists(st.booleans(), max_size=300))
+def test_without_five_in_a_row_there_is_no_overload(late):
+    watch = TickWatch(PERIOD)
+    five = 'T' * (TOLERATED + 1) in ''.join('T' if value else 'F' for value in late)
+    seen = [watch.tick(LATE if value else IN_TIME) for value in late]
+    assert any(seen) == five
+    assert watch.late == sum(late)
