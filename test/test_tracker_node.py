@@ -13,11 +13,13 @@ import numpy as np
 import pytest
 import rclpy
 from rclpy.lifecycle import TransitionCallbackReturn
+from std_srvs.srv import Trigger
 
 from lwr_description import Mount
 from lwr_tracking import tracker_node
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.tracker_node import TrackerNode
+from srnn_msgs_py.health import HealthLevel
 from srnn_msgs_py.joints import JointSample
 
 SUCCESS = TransitionCallbackReturn.SUCCESS
@@ -75,6 +77,52 @@ def test_without_joint_states_the_arm_is_stopped_at_the_second_look(tracker):
     assert not tracker._tracker.latched
     tracker.on_tick()
     assert tracker._tracker.conditions == Condition.SILENT
+
+
+def told(node, service):
+    return node._service(service)(Trigger.Request(), Trigger.Response())
+
+
+def test_a_stop_outlives_deactivation_and_process(tmp_path):
+    rclpy.init(args=['--ros-args', '-p', f'latch:={tmp_path / "latch"}'])
+    try:
+        first = TrackerNode()
+        first.trigger_configure()
+        first.trigger_activate()
+        first._on_sample(at_rest())
+        assert told(first, first._stop).success
+        first.trigger_deactivate()
+        first.trigger_activate()
+        first._on_sample(at_rest())
+        assert first._tracker.conditions == Condition.STOPPED
+        # Not shut down: killed.
+        second = TrackerNode()
+        second.trigger_configure()
+        assert second.health().level is HealthLevel.ERROR
+        second.trigger_activate()
+        second._on_sample(at_rest())
+        assert second._tracker.conditions == Condition.STOPPED
+        assert told(second, second._reset).success
+        third = TrackerNode()
+        third.trigger_configure()
+        third.trigger_activate()
+        assert not third._tracker.latched
+        for node in (first, second, third):
+            node.destroy_node()
+    finally:
+        rclpy.shutdown()
+
+
+def test_stop_works_while_the_tracker_is_inactive(tracker):
+    assert not told(tracker, tracker._reset).success
+    stopped = told(tracker, tracker._stop)
+    assert stopped.success
+    assert stopped.message == 'frozen until reset, once it is active'
+    assert tracker.trigger_activate() == SUCCESS
+    tracker._on_sample(at_rest())
+    assert tracker._tracker.conditions == Condition.STOPPED
+    assert told(tracker, tracker._reset).success
+    assert not tracker._tracker.latched
 
 
 def test_nothing_is_compiled_once_the_tracker_is_configured(tmp_path):

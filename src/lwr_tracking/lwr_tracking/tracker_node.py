@@ -4,6 +4,7 @@
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
 import time
 from typing import Any
 
@@ -15,7 +16,8 @@ from lwr_tracking.core.failsafe import Condition, decide
 from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.tracker import Tracker
-from srnn_config import Parameters
+from lwr_tracking.latch_file import LatchFile
+from srnn_config import Parameters, parameter
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.joints import JointSample
@@ -51,6 +53,10 @@ LONGEST_STOP = 1.0
 class TrackerNodeParameters(Parameters):
     """Parameters of the tracker node."""
 
+    latch: str = parameter(
+        '', doc='File that keeps what has stopped the arm until reset, so that a successor does '
+        'not move it either; empty for none.',
+    )
     mount: Mount = field(default_factory=Mount)
     tracking: TrackerParameters = field(default_factory=TrackerParameters)
 
@@ -63,10 +69,13 @@ class TrackerNode(WorkspaceNode):
     def __init__(self) -> None:
         """Create the node, unconfigured."""
         super().__init__('tracker')
+        self._latched = Condition.NONE
 
     def configure(self, parameters: TrackerNodeParameters) -> None:
         """Build the arm's kinematics, connect topics and services."""
         self._parameters = parameters.tracking
+        self._latch = LatchFile(Path(parameters.latch) if parameters.latch else None)
+        self._latched = self._latch.read()
         self._kinematics = Kinematics(parameters.mount)
         Tracker(self._parameters, self._kinematics)  # Compiles what activation must not wait for.
         self._external: Any = None
@@ -94,7 +103,7 @@ class TrackerNode(WorkspaceNode):
         self._tracker = Tracker(self._parameters, self._kinematics)
         # Joint states are heard while inactive as well: the watch on them begins now.
         self._sample, self._overdue = None, False
-        self._latched = Condition.NONE
+        self._tracker.restore(self._latched)
 
     def deactivate(self) -> None:
         """Bring the arm to rest on its path, then command nothing more."""
@@ -129,7 +138,8 @@ class TrackerNode(WorkspaceNode):
     def health(self) -> Health:
         """Report conditions, counters and the last measurement."""
         if not self.active:
-            return Health()
+            causes = decide(self._latched).causes
+            return Health(HealthLevel.ERROR if causes else HealthLevel.OK, ', '.join(causes))
         counters = asdict(self._tracker.counters)
         refused = {f'refused_{reason.name.lower()}': n for reason, n in
                    counters.pop('refused').items()}
@@ -163,11 +173,23 @@ class TrackerNode(WorkspaceNode):
             self._cycle(sample)
 
     def _tell(self) -> None:
-        """Log what has stopped the arm until reset, once."""
+        """Log what has stopped the arm until reset, once, and keep it for a successor."""
         latched = decide(self._tracker.conditions).latched
+        if latched == self._latched:
+            return
         if latched & ~self._latched:
-            self.get_logger().error(f'frozen until reset: {", ".join(decide(latched).causes)}')
+            self._log(f'frozen until reset: {", ".join(decide(latched).causes)}')
+        self._keep(latched)
+
+    def _keep(self, latched: Condition) -> None:
         self._latched = latched
+        try:
+            self._latch.write(latched)
+        except OSError as error:
+            self._log(f'latch: {error}')
+
+    def _log(self, text: str) -> None:
+        self.get_logger().error(text)
 
     def _cycle(self, sample: JointSample) -> None:
         tick = self._tracker.tick(time.monotonic(), sample)
@@ -193,12 +215,16 @@ class TrackerNode(WorkspaceNode):
             self._results.publish(result.to_msg(refused))
 
     def _stop(self) -> str:
+        if not self.active:
+            self._keep(self._latched | Condition.STOPPED)
+            return 'frozen until reset, once it is active'
         self._tracker.stop()
         self._tell()
         return 'frozen until reset'
 
     def _reset(self) -> str:
         self._tracker.reset()
+        self._tell()
         return 'ready; the arm holds until the next segment'
 
     def _pause(self) -> str:
@@ -211,8 +237,10 @@ class TrackerNode(WorkspaceNode):
 
     def _service(self, action: Callable[[], str]) -> Callable[..., Trigger.Response]:
         def answer(_: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
-            response.success = self.active
-            response.message = action() if self.active else f'the tracker is {self.state}'
+            # Nobody must have to know in which state it is to stop the arm.
+            possible = self.active or action == self._stop
+            response.success = possible
+            response.message = action() if possible else f'the tracker is {self.state}'
             return response
 
         return answer

@@ -10,7 +10,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import LifecycleNode
 
 from srnn_bringup.config import STANDARD_SCENE, Choices, load
-from srnn_bringup.graph import CHECKPOINT, describe, write_parameters
+from srnn_bringup.graph import describe, write_parameters
 from srnn_planner.core.dissonance import SIGNALS
 
 RESPAWN_S = 1.0
@@ -42,7 +42,7 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
     )
     # The directory outlives this function: the nodes read its files when they start.
     directory = Path(tempfile.mkdtemp(prefix='srnn_'))
-    nodes = describe(load(choices), directory / CHECKPOINT)
+    nodes = describe(load(choices), directory)
     files = write_parameters(nodes, directory, autostart=True)
     return [
         LifecycleNode(

@@ -35,9 +35,12 @@ class NodeDescription:
 CHECKPOINT = 'checkpoint.npz'
 """Name of the file from which a restarted adapter goes on."""
 
+LATCH = 'latch'
+"""Name of the file that keeps a restarted tracker from moving an arm that was stopped."""
+
 
 def describe(
-    configuration: Configuration, checkpoint: Path | None = None
+    configuration: Configuration, directory: Path | None = None
 ) -> tuple[NodeDescription, ...]:
     """Return the nodes in the order in which they are brought up.
 
@@ -46,7 +49,7 @@ def describe(
 
     Args:
         configuration: what the nodes are told.
-        checkpoint: where the adapter keeps every update, None for nowhere.
+        directory: where nodes keep what a successor must know, None for nowhere.
 
     """
     scene = str(configuration.scene_path)
@@ -60,7 +63,7 @@ def describe(
         ),
         NodeDescription(
             'tracker', 'lwr_tracking', 'tracker', 'lwr_tracking.tracker_node',
-            {'mount': arm['mount'], **tracking},
+            {'latch': _text(directory, LATCH), 'mount': arm['mount'], **tracking},
         ),
         NodeDescription(
             'adapter', 'srnn_planner', 'adapter', 'srnn_planner.nodes.adapter_node',
@@ -68,7 +71,7 @@ def describe(
                 'seed': seed,
                 'initial_weights': _text(configuration.initial_weights),
                 'weights_file': _text(configuration.weights_file),
-                'checkpoint': _text(checkpoint),
+                'checkpoint': _text(directory, CHECKPOINT),
                 'model': network['model'],
             },
         ),
@@ -104,5 +107,5 @@ def write_parameters(
     return files
 
 
-def _text(path: Path | None) -> str:
-    return '' if path is None else str(path)
+def _text(path: Path | None, name: str = '') -> str:
+    return '' if path is None else str(path / name)

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from srnn_bringup.config import Choices, load
-from srnn_bringup.graph import CHECKPOINT, describe
+from srnn_bringup.graph import describe
 
 FILE = Path(__file__).parents[1] / 'launch' / 'srnn.launch.py'
 
@@ -56,7 +56,7 @@ def test_launched_nodes_are_those_of_the_graph(launch_file):
     context = {'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3'}
     launched = launch_file['launch_nodes'](context)
     directory = Path(launched[0].named['parameters'][0]).parent
-    expected = describe(load(Choices(signal='global', seed=3)), directory / CHECKPOINT)
+    expected = describe(load(Choices(signal='global', seed=3)), directory)
     assert [
         (n.named['name'], n.named['package'], n.named['executable']) for n in launched
     ] == [(n.name, n.package, n.executable) for n in expected]

@@ -165,6 +165,10 @@ class Tracker:
         self._watch.restart()
         self._stops.forget()
 
+    def restore(self, conditions: Condition) -> None:
+        """Be stopped until `reset` by what had stopped a predecessor."""
+        self.conditions |= decide(conditions).latched
+
     def pause(self) -> None:
         """Come to rest on the path and refuse segments until `resume`."""
         self.conditions |= Condition.PAUSED
