@@ -44,10 +44,8 @@ def _content(handle: int, max_bytes: int) -> bytes | str:
     state = os.fstat(handle)
     if not stat.S_ISREG(state.st_mode):
         return 'is no regular file'
-    if state.st_size <= max_bytes:
-        with os.fdopen(handle, 'rb', closefd=False) as file:
-            # A file that grows meanwhile is not read beyond the limit either.
-            content = file.read(max_bytes + 1)
-        if len(content) <= max_bytes:
-            return content
-    return f'larger than {max_bytes} bytes'
+    if state.st_size > max_bytes:
+        return f'larger than {max_bytes} bytes'
+    with os.fdopen(handle, 'rb', closefd=False) as file:
+        content = file.read(state.st_size + 1)
+    return content if len(content) == state.st_size else 'changed while it was read'

@@ -98,5 +98,5 @@ class CheckpointKeeper:
             place.rename(aside)
             fate = f'kept as {aside.name}'
         except OSError as failure:
-            fate = f'cannot be kept aside: {failure}'
-        self.broken = '; '.join(filter(None, [self.broken, f'{error} ({fate})']))
+            fate = f'cannot be kept aside ({failure})'
+        self.broken = '; '.join(filter(None, [self.broken, f'{place} {fate}: {error}']))

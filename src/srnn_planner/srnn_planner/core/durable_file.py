@@ -60,6 +60,8 @@ def _prefix(path: Path) -> str:
 
 def _link(path: Path, name: Path, temporary: str) -> None:
     """Give a file a second name, in one step; not every file system can."""
-    with suppress(OSError):
+    try:
         os.link(path, temporary)
         os.replace(temporary, name)
+    except OSError:
+        Path(temporary).unlink(missing_ok=True)
