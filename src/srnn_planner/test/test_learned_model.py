@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from srnn_msgs_py.refusal import WeightsRefusal
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import MAX_VERSION, WeightsUpdate
 from srnn_planner.core import checkpoint
 from srnn_planner.core.adapter import STEPS_AHEAD
 from srnn_planner.core.errors import PairingError, WeightsError
@@ -112,6 +112,23 @@ def test_a_refusal_takes_the_model_back_to_the_good_version_as_a_new_one():
     assert model.leave(WeightsRefusal(6, 0, ''), 52) is not None
     assert np.array_equal(model.weights.matrix, matrices[1])
     assert model.weights.version == 7
+
+
+def test_the_refusal_of_newer_weights_of_somebody_else_is_outrun():
+    model = learned_model()
+    teach(model, (1, 2))
+    weights = model.weights
+    foreign = WeightsRefusal(100, 2, '')
+    assert model.leave(foreign, 5) is None
+    assert model.catch_up(foreign, 5)
+    assert model.weights.version == 101
+    assert model.weights.matrix is weights.matrix is model.learner.weights
+    assert not model.catch_up(foreign, 6)
+    assert not model.catch_up(WeightsRefusal(50, 2, ''), 6)
+    assert not model.catch_up(WeightsRefusal(MAX_VERSION, 2, ''), 6)
+    teach(model, (3,))
+    assert model.leave(WeightsRefusal(102, 101, ''), 7).version == 102
+    assert np.array_equal(model.weights.matrix, weights.matrix)
 
 
 def test_ever_older_versions_end_with_the_prior():

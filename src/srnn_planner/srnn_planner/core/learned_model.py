@@ -3,7 +3,7 @@
 
 from srnn_msgs_py.refusal import WeightsRefusal
 from srnn_msgs_py.segment import ExecutedPath, Segment
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import MAX_VERSION, WeightsUpdate
 from srnn_planner.core.adapter import Learner, Lesson
 from srnn_planner.core.checkpoint import Checkpoint
 from srnn_planner.core.history import Event, History
@@ -90,6 +90,19 @@ class LearnedModel:
         self.history.add(Event.REFUSED, self.weights, target.version, now_ns)
         self.reverts += 1
         return left
+
+    def catch_up(self, refusal: WeightsRefusal, now_ns: int) -> bool:
+        """Give the weights a higher version than dead ones that are not of this adapter.
+
+        The planner, which had them from another or from one that has forgotten, would
+        refuse every version up to there. Return whether that was needed.
+        """
+        before = self.weights
+        if not before.version < refusal.refused_version < MAX_VERSION:
+            return False
+        self.weights = WeightsUpdate(refusal.refused_version + 1, 0, before.matrix)
+        self.history.add(Event.REFUSED, self.weights, before.version, now_ns)
+        return True
 
     def checkpoint(self) -> Checkpoint:
         """Return all that is needed to go on from here."""

@@ -128,15 +128,15 @@ class AdapterNode(WorkspaceNode):
     def _on_refused(self, refused: WeightsRefusal) -> None:
         """Go back to earlier weights, so that learning goes on from there too."""
         left = self._model.leave(refused, self._now())
-        if left is None:
+        if left is not None:
+            self._keeper.keep_refused(left)
+            done = f'left weights version {left.version} for earlier ones'
+        elif self._model.catch_up(refused, self._now()):
+            done = 'went on with the same weights'
+        else:
             return
-        version = self._model.weights.version
-        self._went_back = (
-            f'left weights version {left.version} for earlier ones, now version {version}: '
-            f'{refused.reason}'
-        )
+        self._went_back = f'{done}, now version {self._model.weights.version}: {refused.reason}'
         self.get_logger().error(self._went_back)
-        self._keeper.keep_refused(left)
         self._keep_and_share(0)
         self.report_health()
 
