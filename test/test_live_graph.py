@@ -16,12 +16,14 @@ import yaml
 from srnn_bringup.config import Choices, load
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.restarts import Restarts
+from srnn_msgs_py.health import HealthLevel
 from srnn_msgs_py.result import ResultCode, SegmentResult
-from srnn_msgs_py.ros import pose, result, segment, weights
+from srnn_msgs_py.ros import diagnostics, pose, result, segment, weights
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.segment import Segment
 from srnn_msgs_py.topics import NODES, TOPICS, markdown_table, topic
+from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node.signals import StopRequest
 
 ROOT = Path(__file__).parents[1]
@@ -177,6 +179,40 @@ def test_a_dead_node_is_started_anew_and_reported(watched, name):
     assert watched.graph.pump.until(lambda: len(watched.segments) >= before + 2, PATIENCE_S)
     assert watched.graph._supervisor.alive(name)
     assert len(said) == 1
+
+
+def test_dead_weights_are_left_reported_and_outlived(watched):
+    heard, health = [], {f'/{name}': [] for name in NODES}
+    watched._listen('weights', weights.from_msg, heard.append)
+    watched._listen('/diagnostics', diagnostics.from_msg, lambda told: [
+        health[name].append(value) for name, value in told.items()
+    ])
+    planner, adapter = health['/planner'], health['/adapter']
+    watched.until(lambda: heard and planner and adapter)
+    good = heard[-1].matrix
+    row = topic('weights')
+    publisher = watched.graph.node.create_publisher(
+        message_type(row.type_name), row.name, profile(row.qos)
+    )
+    watched.until(publisher.get_subscription_count)
+    dead = WeightsUpdate(100, 0, np.full_like(good, -1.0))
+    publisher.publish(weights.to_msg(dead))
+    watched.until(lambda: any(h.level is HealthLevel.ERROR for h in planner))
+    assert next(h for h in planner if h.level is HealthLevel.ERROR).message == (
+        'no valid plan in 10 tries with weights version 100: trying older ones'
+    )
+    watched.until(lambda: heard[-1].version == 101)
+    np.testing.assert_array_equal(heard[-1].matrix, good)
+    before = len(watched.done())
+    watched.until(lambda: len(watched.done()) >= before + 2)
+    watched.until(lambda: planner[-1].level is not HealthLevel.ERROR)
+    assert planner[-1].values['weights_version'] == '101'
+    assert planner[-1].values['weights_refused'] == '1'
+    watched.until(lambda: adapter[-1].values['weights_version'] == '101')
+    assert adapter[-1].level is HealthLevel.WARN
+    assert 'no valid plan in 10 tries with weights version 100' in adapter[-1].message
+    assert adapter[-1].values['checkpoint_version'] == '101'
+    assert adapter[-1].values['checkpoint_error'] == ''
 
 
 def call(watched, kind, name, **fields):

@@ -57,6 +57,10 @@ TOPICS = (
         'recurrent weights with version and checksum',
     ),
     Topic(
+        'weights_refused', 'std_msgs/msg/Int64MultiArray', LATCHED, ('planner',), ('adapter',),
+        'version with which nothing can be planned, the good one before it, and why',
+    ),
+    Topic(
         'dissonance', 'std_msgs/msg/Float32MultiArray', EVENT,
         ('adapter',), ('planner', 'user'),
         'learning signal of a segment and whether it changed the weights',
