@@ -52,8 +52,9 @@ class Rig:
         return float(np.linalg.norm(self.arm.truth.low_pass))
 
 
-def rig(obstacles=(), seed=1, **arm_parameters) -> Rig:
-    scene = build_scene({'name': 'test', 'waypoints': [[0, 0]], 'obstacles': list(obstacles)}, '')
+def rig(obstacles=(), seed=1, start=(0.0, 0.0), **arm_parameters) -> Rig:
+    task = {'name': 'test', 'waypoints': [list(start)], 'obstacles': list(obstacles)}
+    scene = build_scene(task, '')
     parameters = ArmParameters(**arm_parameters)
     arm = SimulatedArm(parameters, Mount(), scene, np.random.default_rng(seed))
     made = Rig(arm, Tracker(TrackerParameters(), Kinematics(Mount())))
