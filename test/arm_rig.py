@@ -38,6 +38,7 @@ class Rig:
     def run(self, seconds: float) -> None:
         for _ in range(round(seconds / PERIOD)):
             self.tick()
+        assert not self.arm.data.warning.number.any()
 
     def execute(self, segments) -> None:
         """Offer every segment in good time and run until all are over."""
@@ -47,6 +48,7 @@ class Rig:
             if todo and self.tracker.reference.waiting is None:
                 assert self.tracker.offer(todo.pop(0), 0.0) is None
             self.tick()
+        assert not self.arm.data.warning.number.any()
 
     def present_force(self) -> float:
         return float(np.linalg.norm(self.arm.truth.low_pass))
