@@ -24,6 +24,7 @@ class Rig:
     finished: list[Finished] = field(default_factory=list)
     force: list[float] = field(default_factory=list)
     tips: list[np.ndarray] = field(default_factory=list)
+    commands: list[np.ndarray] = field(default_factory=list)
 
     def tick(self) -> None:
         sample = self.arm.sample(int(self.arm.time * 1e9))
@@ -31,6 +32,7 @@ class Rig:
         assert self.arm.command(tick.command) is None
         for _ in range(PHYSICS_PER_TICK):
             self.arm.step()
+        self.commands.append(tick.command)
         self.finished += tick.finished
         self.force.append(self.tracker.contact.force)
         self.tips.append(self.arm.tip_truth)
