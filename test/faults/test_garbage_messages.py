@@ -15,7 +15,7 @@ from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.ros import segment
 from srnn_msgs_py.ros.trajectory import MAX_POINTS
 
-TICKS = 40
+TICKS = 20
 MESSAGES = 3
 
 Random = np.random.Generator
