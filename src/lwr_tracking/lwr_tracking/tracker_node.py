@@ -171,7 +171,8 @@ class TrackerNode(WorkspaceNode):
     def _cycle(self, sample: JointSample) -> None:
         tick = self._tracker.tick(time.monotonic(), sample)
         self._tell()
-        if tick.command is not None:
+        # Whoever reports again after a silence may be another arm: it is told nothing yet.
+        if tick.command is not None and Condition.SILENT not in self._tracker.conditions:
             self._sent.append(tick.command)
             self._commands.publish(commands.to_msg(tick.command))
         for end in tick.finished:
@@ -197,7 +198,12 @@ class TrackerNode(WorkspaceNode):
         return 'frozen until reset'
 
     def _reset(self) -> str:
-        self._tracker.reset()
+        before = self._tracker
+        if before.latched:
+            # The arm may be far from its last command, as a new one is: begin where it is now.
+            self._tracker = Tracker(self._parameters, self._kinematics)
+            self._tracker.counters = before.counters
+            self._tracker.conditions |= before.conditions & Condition.PAUSED
         return 'ready; the arm holds until the next segment'
 
     def _pause(self) -> str:
