@@ -31,10 +31,13 @@ class CommandGate:
     """
 
     def __init__(self, parameters: GuardParameters, start: NDArray[np.float64]) -> None:
-        """Begin as if `start` (7,) [rad] had been commanded long ago."""
+        """Begin as if `start` (7,) [rad] had just been commanded.
+
+        A tracker that begins, begins there; another one may still follow another arm.
+        """
         self._parameters = parameters
         self._last = start.copy()
-        self._last_time = -np.inf
+        self._last_time = np.inf
         self._spare = parameters.silence
         self.refused = dict.fromkeys(Refusal, 0)
 

@@ -46,6 +46,13 @@ def test_steps_up_to_the_speed_limit_are_accepted(gate):
     assert gate.offer(q + 1.01 * PARAMETERS.period * VELOCITY_MAX, now) is Refusal.TOO_FAR
 
 
+@pytest.mark.parametrize('now', [0.0, 100.0])
+def test_a_stream_begins_within_one_period_of_where_the_arm_started(gate, now):
+    """What is farther is told to another arm, and would make this one jump."""
+    assert gate.offer(1.01 * PARAMETERS.period * VELOCITY_MAX, now) is Refusal.TOO_FAR
+    assert gate.offer(0.99 * PARAMETERS.period * VELOCITY_MAX, now) is None
+
+
 def test_long_silence_buys_no_longer_step_than_the_stated_one(gate):
     assert gate.offer(START, 1.0) is None
     assert gate.offer(1.01 * PARAMETERS.silence * VELOCITY_MAX, 100.0) is Refusal.TOO_FAR

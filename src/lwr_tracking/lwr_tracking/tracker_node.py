@@ -194,7 +194,8 @@ class TrackerNode(WorkspaceNode):
     def _cycle(self, sample: JointSample) -> None:
         tick = self._tracker.tick(time.monotonic(), sample)
         self._tell()
-        if tick.command is not None:
+        # Whoever reports again after a silence may be another arm: it is told nothing yet.
+        if tick.command is not None and Condition.SILENT not in self._tracker.conditions:
             self._sent.append(tick.command)
             self._commands.publish(commands.to_msg(tick.command))
         for end in tick.finished:
