@@ -19,6 +19,7 @@ from srnn_config import Parameters
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import commands, executed, joints, pose, result, segment
 from srnn_msgs_py.segment import Segment
 from srnn_msgs_py.tip import TipPosition
@@ -45,6 +46,9 @@ TICKS_PER_POSE = 5
 
 LONGEST_STOP = 1.0
 """No deactivation takes longer than this to bring the arm to rest [s]."""
+
+NOT_IN_CHARGE = 'another planner is in charge'
+"""Reason for a planner whose segments are not looked at while those of another are."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +89,7 @@ class TrackerNode(WorkspaceNode):
         self._pose = self.advertise('current_pose')
         self.listen('external_torque/joint_states', lambda msg: msg, self._on_external)
         self.listen('joint_states', self._pair, self._on_sample)
-        self.listen('segment', segment.from_msg, self._on_segment)
+        self.listen('segment', segment.from_msg, self._on_segment, self._on_foreign_segment)
         for name in ('stop', 'reset', 'pause', 'resume'):
             self.create_service(Trigger, f'~/{name}', self._service(getattr(self, f'_{name}')))
 
@@ -189,6 +193,12 @@ class TrackerNode(WorkspaceNode):
         refused = self._tracker.offer(value, age)
         # A duplicate has the identity of a segment that may well be running.
         if refused is not None and refused.reason != Refusal.DUPLICATE:
+            self._results.publish(result.to_msg(refused))
+
+    def _on_foreign_segment(self, value: Segment) -> None:
+        """Tell a planner that it has to wait, so that it need not find out by itself."""
+        if self.active:
+            refused = SegmentResult(value.stamp_ns, ResultCode.REJECTED, NOT_IN_CHARGE, {})
             self._results.publish(result.to_msg(refused))
 
     def _stop(self) -> str:
