@@ -23,7 +23,7 @@ ORDER = (
 )  # fmt: skip
 STRANGERS = {
     'srnn_access': {'srnn_config'},
-    'srnn_msgs_py': {'srnn_access'},
+    'srnn_msgs_py': {'srnn_config'},
     'srnn_planner': {'lwr_description', 'lwr_guard'},
     'lwr_tracking': {'srnn_planner', 'lwr_guard'},
     'lwr_sim_bridge': {'srnn_planner', 'lwr_tracking'},

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+from contextlib import suppress
 import os
 
 from hypothesis import HealthCheck, given, settings
@@ -99,10 +100,8 @@ def test_a_key_that_cannot_be_written_says_why(tmp_path):
 @given(text=st.binary(max_size=80))
 def test_no_content_breaks_the_reader(path, text):
     write(path, text)
-    try:
-        assert len(load(path).secret) == 32
-    except KeyFileError as error:
-        assert isinstance(error, ValueError)
+    with suppress(KeyFileError):
+        assert load(path).secret.hex().encode() == text.strip()
 
 
 @pytest.mark.parametrize('length', [0, 16, 31, 33])

@@ -10,6 +10,7 @@ from typing import Any, Protocol
 from diagnostic_msgs.msg import KeyValue
 from std_msgs.msg import MultiArrayDimension
 
+from srnn_access.mark import parse
 from srnn_msgs_py.errors import MessageError
 
 SIGN = '#'
@@ -87,6 +88,6 @@ def mark_carrier(message_class: Any) -> MarkCarrier:
 
 
 def plain_frame(header: Any) -> str:
-    """Return the frame of a header without the mark behind it."""
-    frame, sign, text = header.frame_id.rpartition(SIGN)
-    return str(frame if sign else text)
+    """Return the frame of a header, without the mark if one stands behind it."""
+    frame, _, text = header.frame_id.rpartition(SIGN)
+    return str(header.frame_id if parse(text) is None else frame)
