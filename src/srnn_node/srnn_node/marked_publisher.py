@@ -15,6 +15,7 @@ class MarkedPublisher(LifecyclePublisher):  # type: ignore[misc]  # rclpy is not
     _outlet: Outlet
     _kept: Any = None
     _keeps = False
+    _matched = 0
 
     def use(self, outlet: Outlet, keep: bool) -> None:
         """Mark by `outlet`; with `keep`, the last message is there to be renewed."""
@@ -39,5 +40,7 @@ class MarkedPublisher(LifecyclePublisher):  # type: ignore[misc]  # rclpy is not
         The middleware gives a late subscriber the message as it was signed long ago,
         which nobody believes who has not heard of the sender before.
         """
-        if change.current_count_change > 0 and self._kept is not None:
+        # What the status calls the change is at times 0 for a subscriber that has come.
+        came, self._matched = change.total_count > self._matched, change.total_count
+        if came and self._kept is not None:
             self.publish(self._kept)
