@@ -70,9 +70,9 @@ class TrackerNode(WorkspaceNode):
 
     def configure(self, parameters: TrackerNodeParameters) -> None:
         """Build the arm's kinematics, connect topics and services."""
-        self._parameters = parameters.tracking
+        self._settings = parameters.tracking
         self._kinematics = Kinematics(parameters.mount)
-        Tracker(self._parameters, self._kinematics)  # Compiles what activation must not wait for.
+        Tracker(self._settings, self._kinematics)  # Compiles what activation must not wait for.
         self._external: Any = None
         self._sample: JointSample | None = None
         self._arrival = 0.0
@@ -81,7 +81,7 @@ class TrackerNode(WorkspaceNode):
         self._ticks = 0
         # The oldest command is as old as the arm is behind its commands.
         self._sent: deque[np.ndarray] = deque(
-            maxlen=max(1, round(self._parameters.law.lead / self._parameters.gate.period))
+            maxlen=max(1, round(self._settings.law.lead / self._settings.gate.period))
         )
         self._commands = self.advertise('forward_position_controller/commands')
         self._executed = self.advertise('executed')
@@ -95,7 +95,7 @@ class TrackerNode(WorkspaceNode):
 
     def activate(self) -> None:
         """Hold the arm where it is; segments are accepted from the first measurement on."""
-        self._tracker = Tracker(self._parameters, self._kinematics)
+        self._tracker = Tracker(self._settings, self._kinematics)
         # Joint states are heard while inactive as well: the watch on them begins now.
         self._sample, self._overdue = None, False
         self._latched = Condition.NONE
@@ -103,7 +103,7 @@ class TrackerNode(WorkspaceNode):
     def deactivate(self) -> None:
         """Bring the arm to rest on its path, then command nothing more."""
         self._tracker.pause()
-        period = self._parameters.gate.period
+        period = self._settings.gate.period
         until = time.monotonic() + LONGEST_STOP
         while self._sample is not None and time.monotonic() < until:
             reference = self._tracker.reference
