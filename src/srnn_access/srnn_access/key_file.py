@@ -61,9 +61,11 @@ def load(path: Path) -> Key:
     try:
         # Without O_NONBLOCK, opening a pipe would wait for its writer.
         number = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
-        with os.fdopen(number, 'rb') as file:
+        try:
             _check_mode(path, os.fstat(number).st_mode)
-            text = file.read(2 * LENGTH + 2)
+            text = os.read(number, 2 * LENGTH + 2)
+        finally:
+            os.close(number)
     except FileNotFoundError:
         raise KeyFileMissingError(
             f'key file {path}: there is no such file; srnn key create makes one'
