@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[2]
-sys.path[:0] = [str(ROOT / 'test'), str(ROOT / 'src' / 'lwr_tracking' / 'test')]
+HELPERS = ('test', 'src/lwr_tracking/test', 'src/srnn_node/test')
+sys.path[:0] = [str(ROOT / folder) for folder in HELPERS]
 
 LEDGER = pytest.StashKey[FaultLedger]()
 

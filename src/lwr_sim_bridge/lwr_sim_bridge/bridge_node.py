@@ -61,7 +61,7 @@ class BridgeNode(WorkspaceNode):
     def configure(self, parameters: BridgeParameters) -> None:
         """Build the simulated world, connect topics and services."""
         self._scene = load_scene(parameters.scene)
-        self._parameters = parameters
+        self._settings = parameters
         self._kinematics = Kinematics(parameters.mount)
         self._build()
         self._measured = self.advertise('joint_states')
@@ -129,8 +129,8 @@ class BridgeNode(WorkspaceNode):
 
     def _build(self) -> None:
         self._arm = SimulatedArm(
-            self._parameters.arm, self._parameters.mount, self._scene,
-            np.random.default_rng([self._parameters.seed, 2]),
+            self._settings.arm, self._settings.mount, self._scene,
+            np.random.default_rng([self._settings.seed, 2]),
         )
         self._segments = 0
         self._cycles = 0

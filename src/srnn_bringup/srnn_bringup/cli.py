@@ -7,11 +7,13 @@ import os
 from pathlib import Path
 import sys
 
+from srnn_access import AccessError
 from srnn_bringup.command_line import WRONG_USE, Parser
 from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
 from srnn_bringup.experiment_options import add_experiments
+from srnn_bringup.key_command import add_key, add_key_actions
 from srnn_bringup.options import (
     add_learning,
     add_network,
@@ -41,11 +43,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code: 2 for a wrong command line or file."""
     parser, commands = _parsers()
     options, unknown = parser.parse_known_args(arguments)
-    chosen = (options.command, getattr(options, 'experiment', None))
+    action = getattr(options, 'experiment', None) or getattr(options, 'action', None)
+    chosen = (options.command, action)
     commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
     try:
         return int(options.run(options))
-    except (BringupError, ConfigError, ExperimentError, SrnnError) as error:
+    except (AccessError, BringupError, ConfigError, ExperimentError, SrnnError) as error:
         print(f'srnn {options.command}: {error}', file=sys.stderr)
         return WRONG_USE
     except OSError as error:
@@ -71,6 +74,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('demo', 'Learn an obstacle live on the simulated arm, and report.'),
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
+            ('key', 'Make the key by which the nodes know each other.'),
             ('experiment', 'Many trials on simulated time: runs and tables.'),
         )
     }  # fmt: skip
@@ -83,6 +87,11 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     )
     for name, experiment in add_experiments(experiments).items():
         commands[f'experiment {name}'] = experiment
+    actions = commands['key'].add_subparsers(
+        dest='action', metavar='ACTION', required=True, parser_class=Parser
+    )
+    for name, action in add_key_actions(actions).items():
+        commands[f'key {name}'] = action
     return parser, commands
 
 
@@ -95,6 +104,7 @@ def _add_graph(parser: Parser) -> None:
     add_network(parser)
     add_learning(parser)
     add_seed(parser, 'seed of all random numbers')
+    add_key(parser)
     parser.add_argument(
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
@@ -126,6 +136,7 @@ def _configuration(options: argparse.Namespace) -> Configuration:
             seed=options.seed,
             initial_weights=options.weights,
             weights_file=options.save_weights,
+            key_file=options.key,
         )
     )
 

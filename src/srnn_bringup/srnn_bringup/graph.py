@@ -82,6 +82,11 @@ def describe(
     )  # fmt: skip
 
 
+def access(configuration: Configuration) -> dict[str, str]:
+    """Return the parameters by which every node knows whom to believe."""
+    return {'key_file': _text(configuration.key_file)}
+
+
 def write_parameters(
     nodes: Sequence[NodeDescription], directory: Path, **extra: Any
 ) -> dict[str, Path]:

@@ -27,7 +27,7 @@ from srnn_bringup.errors import (
     NodeDiedError,
     TransitionError,
 )
-from srnn_bringup.graph import NodeDescription, describe, write_parameters
+from srnn_bringup.graph import NodeDescription, access, describe, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.pump import Pump
 from srnn_bringup.restarts import Restarts
@@ -142,7 +142,9 @@ class LiveGraph:
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
         self._descriptions = describe(self._configuration, directory)
-        self._files = write_parameters(self._descriptions, directory)
+        self._files = write_parameters(
+            self._descriptions, directory, **access(self._configuration)
+        )
         self._say(f'starting {", ".join(self.names)}')
         # Before this process has the threads of the middleware, it may fork safely.
         self._supervisor = stack.enter_context(Supervisor(directory))
