@@ -55,7 +55,7 @@ class AdapterNode(WorkspaceNode):
 
     def configure(self, parameters: AdapterParameters) -> None:
         """Load weights, compile the kernels, connect topics and services."""
-        self._parameters = parameters
+        self._settings = parameters
         self._learner = Learner(parameters.model, np.random.default_rng([parameters.seed, 1]))
         self._learner.warm_up()
         file = parameters.initial_weights
@@ -143,7 +143,7 @@ class AdapterNode(WorkspaceNode):
     def _acknowledge(self, stamp_ns: int, lesson: Lesson, seconds: float) -> None:
         value = Dissonance(
             segment_stamp_ns=stamp_ns,
-            signal=self._parameters.model.learning.signal,
+            signal=self._settings.model.learning.signal,
             updated=lesson.updated,
             weights_version=self._model.weights.version,
             peak=lesson.peak,
@@ -171,12 +171,12 @@ class AdapterNode(WorkspaceNode):
     def _share(self, stamp_ns: int) -> None:
         update = WeightsUpdate(self._model.weights.version, stamp_ns, self._learner.weights)
         self._weights.publish(weights.to_msg(update))
-        network = self._parameters.model.network
+        network = self._settings.model.network
         if network.dimensions == 2:
             change = input_change(self._learner.weights, self._learner.neurons.prior_weights)
             side = network.neurons_per_dimension
             inhibition = np.maximum(-change, 0.0).reshape(side, side)
-            extent = self._parameters.model.workspace.half_extent
+            extent = self._settings.model.workspace.half_extent
             self._belief.publish(belief.to_msg(inhibition, extent, self._now()))
 
     def _now(self) -> int:
@@ -198,9 +198,9 @@ class AdapterNode(WorkspaceNode):
         return f'back to the initial weights as version {self._model.weights.version}'
 
     def _file(self) -> str:
-        if not self._parameters.weights_file:
+        if not self._settings.weights_file:
             raise SrnnError('parameter weights_file is empty: name a file to use this service')
-        return self._parameters.weights_file
+        return self._settings.weights_file
 
     @staticmethod
     def _service(action: Callable[[], str]) -> Callable[..., Trigger.Response]:
