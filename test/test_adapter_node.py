@@ -147,3 +147,11 @@ def test_weights_that_were_left_are_kept_and_told_of(start, tmp_path):
     assert np.array_equal(weights_file.load(tmp_path / 'c.refused').matrix, dead)
     touch(adapter, 3)
     assert adapter.health().level is HealthLevel.OK
+
+
+def test_its_parameters_can_be_asked_for_in_every_state(start):
+    adapter = start()
+    assert adapter.get_parameter('seed').value == 0
+    assert adapter.trigger_deactivate() == SUCCESS
+    assert adapter.trigger_cleanup() == SUCCESS
+    assert adapter.trigger_configure() == SUCCESS
