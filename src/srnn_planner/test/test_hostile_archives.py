@@ -79,6 +79,7 @@ HOSTILE = {
     'many versions': bytes_of(version=np.arange(3)),
     'negative version': bytes_of(version=np.int64(-3)),
     'other number type': bytes_of(matrix=GOOD.matrix.astype(np.float64)),
+    'number type of the same size': bytes_of(version=np.float64(3.0)),
     'flat': bytes_of(matrix=GOOD.matrix.ravel()),
     'too many members': crowded(),
     'truncated': bytes_of()[:-1],
@@ -120,6 +121,20 @@ def test_a_huge_file_is_not_read(tmp_path):
         file.truncate(archive.MAX_FILE_BYTES + 1)
     with pytest.raises(WeightsFileError, match='larger than'):
         weights_file.load(tmp_path / 'w')
+
+
+def test_an_array_is_not_unpacked_beyond_the_limit(tmp_path, monkeypatch):
+    bomb = member('matrix', npy(BOMB.replace('9, 9', '2000, 2000'), bytes(16_000_000)))
+    monkeypatch.setattr(archive, 'MAX_FILE_BYTES', 100_000)
+    assert len(bomb) < archive.MAX_FILE_BYTES
+    (tmp_path / 'w').write_bytes(bomb)
+    tracemalloc.start()
+    try:
+        with pytest.raises(WeightsFileError, match='16000000 bytes: must be at most 100000'):
+            weights_file.load(tmp_path / 'w')
+        assert tracemalloc.get_traced_memory()[1] < 2_000_000
+    finally:
+        tracemalloc.stop()
 
 
 def test_what_could_not_be_read_again_is_not_written(tmp_path, monkeypatch):

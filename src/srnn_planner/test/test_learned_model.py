@@ -3,13 +3,15 @@
 
 from dataclasses import replace
 
+from hypothesis import given
+from hypothesis import strategies as st
 from lessons import MODEL, SMALL, learned_model, pair
 import numpy as np
 import pytest
 
 from srnn_msgs_py.refusal import WeightsRefusal
 from srnn_msgs_py.weights import MAX_VERSION, WeightsUpdate
-from srnn_planner.core import checkpoint
+from srnn_planner.core import checkpoint, generator_state
 from srnn_planner.core.adapter import STEPS_AHEAD
 from srnn_planner.core.errors import PairingError, WeightsError
 from srnn_planner.core.history import LENGTH
@@ -48,6 +50,25 @@ def test_a_killed_learner_learns_what_it_would_have_learned(tmp_path, killed_aft
     second.restore(checkpoint.load(tmp_path / 'c'), 5)
     teach(second, range(killed_after + 1, PAIRS + 1))
     same(second, straight)
+
+
+@given(st.integers(0, 2**32), st.integers(0, 9), st.integers(0, 9))
+def test_random_numbers_go_on_from_anywhere(seed, halves, wholes):
+    rng, other = np.random.default_rng(seed), np.random.default_rng(0)
+    rng.random(halves, dtype=np.float32)
+    rng.random(wholes)
+    generator_state.write(other, generator_state.read(rng))
+    assert other.random(5, dtype=np.float32).tobytes() == rng.random(5, np.float32).tobytes()
+    assert other.random(3).tobytes() == rng.random(3).tobytes()
+
+
+@pytest.mark.parametrize('state', [(1, 2, 3, 4, 0, 0), (1, 2, 3, 5, 2, 0), (1, 2, 3, 5, 0, 2**32)])
+def test_states_of_no_generator_are_refused(state):
+    rng = np.random.default_rng(1)
+    before = generator_state.read(rng)
+    with pytest.raises(WeightsError, match='no state of the random number generator'):
+        generator_state.write(rng, np.array(state, np.uint64))
+    assert np.array_equal(generator_state.read(rng), before)
 
 
 def test_the_way_back_survives_the_restart(tmp_path):

@@ -45,10 +45,6 @@ class PlannerParameters(Parameters):
 
     scene: str = parameter(doc='Scene file with way points, reach radius and velocity.')
     seed: int = parameter(0, minimum=0, doc='Seed of all random numbers of the planner.')
-    dead_after: int = parameter(
-        10, unit='plans', minimum=2, maximum=1000,
-        doc='After so many invalid plans in a row earlier weights are tried.',
-    )
     model: ModelParameters = field(default_factory=ModelParameters)
     planning: PlanningParameters = field(default_factory=PlanningParameters)
 
@@ -73,7 +69,7 @@ class PlannerNode(WorkspaceNode):
             parameters.model, parameters.planning, np.random.default_rng([parameters.seed, 0]),
             [obstacle for obstacle in scene.obstacles if obstacle.known],
         )
-        self._watched = WatchedPlanner(self._planner, parameters.dead_after)
+        self._watched = WatchedPlanner(self._planner, parameters.planning.dead_after)
         self._watch, self._told = self._watched.watch, ''
         self._sequencer = Sequencer(
             self._task(np.array(scene.waypoints)),
