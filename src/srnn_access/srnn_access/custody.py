@@ -59,7 +59,7 @@ class Custody:
                 return Refusal.NOT_OWNER
             if mark is not None and not _fresh(mark, wall_ns):
                 return Refusal.OUTDATED
-            self._owner, self._until = source, now
+            self._owner = source
         if mark is not None:
             self._newest = mark[:2]
         self._until = max(self._until, now + self._hold + _bounded(motion))

@@ -34,6 +34,11 @@ def test_garbage_is_no_mark_and_every_mark_has_one_text(text):
     assert mark is None or mark.text() == text
 
 
+def test_nobody_can_pass_for_a_sender_without_a_mark():
+    assert parse('0000000000000000.1') is None
+    assert parse('0000000000000001.1') is not None
+
+
 def test_later_senders_have_greater_numbers_that_do_not_change():
     first, second = Source(), Source()
     assert first.epoch(5) == first.epoch(9) == 5

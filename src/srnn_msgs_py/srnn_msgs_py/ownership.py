@@ -24,13 +24,13 @@ class Ownership:
         return 'always' if self.always else 'with a key'
 
 
-# A node that was killed needs more than a second to be back (docs/decisions/0010-discovery.md),
-# so that none of these keeps it out. They are long for a reason: on a busy machine the one in
-# charge may pause, and shall not lose its place to another that happens to send meanwhile.
-STREAM = Ownership(hold=0.5)
-COMMAND = Ownership(hold=0.5, always=True)
-REPORT = Ownership(hold=1.0)
+HOLD_S = 0.5
+"""Shorter than any start of a node, so that whoever is started anew is not kept out; long enough
+for the one in charge to pause on a busy machine without losing its place."""
+
+KEYED = Ownership(HOLD_S)
+COMMAND = Ownership(HOLD_S, always=True)
 
 # Segments are as far apart as they are long. Whoever comes after a planner that was killed
 # cannot begin before the arm has come to rest anyway.
-MOVING = Ownership(hold=0.5, motion=True, always=True)
+MOVING = Ownership(HOLD_S, motion=True, always=True)

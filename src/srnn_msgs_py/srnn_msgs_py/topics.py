@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 
 from srnn_msgs_py.errors import UnknownTopicError
-from srnn_msgs_py.ownership import COMMAND, MOVING, REPORT, STREAM, Ownership
+from srnn_msgs_py.ownership import COMMAND, KEYED, MOVING, Ownership
 from srnn_msgs_py.qos import EVENT, LATCHED, MOTION, SENSOR, Qos
 
 NODES = ('planner', 'adapter', 'tracker', 'sim_bridge')
@@ -48,16 +48,16 @@ TOPICS = (
     Topic(
         'executed', 'trajectory_msgs/msg/JointTrajectory', EVENT,
         ('tracker',), ('planner', 'adapter'),
-        'measured path of the tip, with the stamp of its segment', REPORT,
+        'measured path of the tip, with the stamp of its segment', KEYED,
     ),
     Topic(
         'segment_result', 'diagnostic_msgs/msg/DiagnosticStatus', EVENT,
         ('tracker',), ('planner', 'sim_bridge', 'user'),
-        'how a segment ended: DONE, BLOCKED, REJECTED, STALE or FAULT, and why', REPORT,
+        'how a segment ended: DONE, BLOCKED, REJECTED, STALE or FAULT, and why', KEYED,
     ),
     Topic(
         'weights', 'std_msgs/msg/Float32MultiArray', LATCHED, ('adapter',), ('planner',),
-        'recurrent weights with version and checksum', REPORT,
+        'recurrent weights with version and checksum', KEYED,
     ),
     Topic(
         'weights_refused', 'std_msgs/msg/Int64MultiArray', LATCHED, ('planner',), ('adapter',),
@@ -66,22 +66,22 @@ TOPICS = (
     Topic(
         'dissonance', 'std_msgs/msg/Float32MultiArray', EVENT,
         ('adapter',), ('planner', 'user'),
-        'learning signal of a segment and whether it changed the weights', REPORT,
+        'learning signal of a segment and whether it changed the weights', KEYED,
     ),
     Topic(
         'current_pose', 'geometry_msgs/msg/PoseStamped', MOTION,
         ('tracker',), ('planner', 'view'),
-        'measured tip at 50 Hz', STREAM,
+        'measured tip at 50 Hz', KEYED,
     ),
     Topic(
         'joint_states', 'sensor_msgs/msg/JointState', MOTION,
         ('sim_bridge',), ('tracker', 'view'),
-        'measured joint angles, velocities and torques (effort)', STREAM,
+        'measured joint angles, velocities and torques (effort)', KEYED,
     ),
     Topic(
         'external_torque/joint_states', 'sensor_msgs/msg/JointState', MOTION,
         ('sim_bridge',), ('tracker',),
-        "the arm's own estimate of the external joint torques (effort)", STREAM,
+        "the arm's own estimate of the external joint torques (effort)", KEYED,
     ),
     Topic(
         'wrench', 'geometry_msgs/msg/WrenchStamped', MOTION, ('sim_bridge',), ('view',),

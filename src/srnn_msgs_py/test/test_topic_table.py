@@ -9,7 +9,7 @@ from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import NODES, TOPICS, markdown_table, topic
 
-RESTART_S = 1.0
+RESTART_S = 0.6
 """No node is back sooner after it was killed."""
 
 

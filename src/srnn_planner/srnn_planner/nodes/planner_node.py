@@ -83,11 +83,12 @@ class PlannerNode(WorkspaceNode):
         self.listen('executed', executed.from_msg, self._on_executed)
         self.listen('segment_result', result.from_msg, self._on_result)
         self.listen('dissonance', dissonance.from_msg, self._on_dissonance)
+        self.listen('waypoints', waypoints.from_msg, self._on_waypoints)
+        # After the topics, because meanwhile the middleware finds the other nodes.
+        self._planner.warm_up()
+        # Weights are signed anew for whoever asks, and must be read while they are fresh.
         neurons = parameters.model.network.neurons
         self.listen('weights', partial(weights.from_msg, neurons=neurons), self._on_weights)
-        self.listen('waypoints', waypoints.from_msg, self._on_waypoints)
-        # Last, because meanwhile the middleware finds the other nodes.
-        self._planner.warm_up()
 
     def activate(self) -> None:
         """Begin with the arm as it is seen next."""
