@@ -48,7 +48,7 @@ class Watched:
         self.weights: list[tuple[int, int]] = []
         self.lessons: list[Dissonance] = []
         self.poses: list[tuple[float, np.ndarray]] = []
-        self.joints: list[tuple[int, np.ndarray, np.ndarray]] = []
+        self.joints: list[tuple[int, np.ndarray]] = []
         self.commands: list[int] = []
         self.health: dict[str, list[tuple[int, Health]]] = {name: [] for name in graph.names}
         self.listen('segment', segment.from_msg, self.segments.append)
@@ -176,8 +176,7 @@ def _version(msg):
 
 
 def _joints(msg):
-    position, velocity = np.array(msg.position), np.array(msg.velocity)
-    return stamp_from_msg(msg.header.stamp), position, velocity
+    return stamp_from_msg(msg.header.stamp), np.array(msg.position)
 
 
 def _running(folder: str) -> list[str]:
