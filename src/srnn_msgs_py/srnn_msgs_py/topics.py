@@ -61,7 +61,7 @@ TOPICS = (
     ),
     Topic(
         'weights_refused', 'std_msgs/msg/Int64MultiArray', LATCHED, ('planner',), ('adapter',),
-        'version with which nothing can be planned, the good one before it, and why', REPORT,
+        'version with which nothing can be planned, the good one before it, and why', KEYED,
     ),
     Topic(
         'dissonance', 'std_msgs/msg/Float32MultiArray', EVENT,
