@@ -12,11 +12,13 @@ from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
 from srnn_bringup.experiment_options import add_experiments
+from srnn_bringup.keystore_command import add_create
 from srnn_bringup.options import (
     add_learning,
     add_network,
     add_scene,
     add_seed,
+    existing_directory,
     new_file,
     picture_file,
     whole,
@@ -30,6 +32,9 @@ SEGMENTS = 150
 
 SEGMENTS_MAX = 100_000
 
+_SUBCOMMANDS = ('experiment', 'keystore')
+"""Commands that have commands of their own."""
+
 _ENVIRONMENT = """\
 The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless
 ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. SRNN_REALTIME_PRIORITY sets the priority of
@@ -41,7 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code: 2 for a wrong command line or file."""
     parser, commands = _parsers()
     options, unknown = parser.parse_known_args(arguments)
-    chosen = (options.command, getattr(options, 'experiment', None))
+    chosen = (options.command, *(getattr(options, name, None) for name in _SUBCOMMANDS))
     commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
     try:
         return int(options.run(options))
@@ -71,6 +76,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('demo', 'Learn an obstacle live on the simulated arm, and report.'),
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
+            ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
             ('experiment', 'Many trials on simulated time: runs and tables.'),
         )
     }  # fmt: skip
@@ -83,6 +89,10 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     )
     for name, experiment in add_experiments(experiments).items():
         commands[f'experiment {name}'] = experiment
+    keystores = commands['keystore'].add_subparsers(
+        dest='keystore', metavar='ACTION', required=True, parser_class=Parser
+    )
+    commands['keystore create'] = add_create(keystores)
     return parser, commands
 
 
@@ -99,6 +109,10 @@ def _add_graph(parser: Parser) -> None:
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
     )  # fmt: skip
+    parser.add_argument(
+        '--secure', type=existing_directory, metavar='KEYSTORE',
+        help='keystore of DDS security: nobody takes part without a key, or beyond its rights',
+    )
 
 
 def _add_demo(parser: Parser) -> None:
@@ -117,7 +131,7 @@ def _add_demo(parser: Parser) -> None:
 
 def _configuration(options: argparse.Namespace) -> Configuration:
     check_environment(os.environ)
-    return load(
+    configuration = load(
         Choices(
             scene=options.scene,
             network=options.network,
@@ -126,8 +140,14 @@ def _configuration(options: argparse.Namespace) -> Configuration:
             seed=options.seed,
             initial_weights=options.weights,
             weights_file=options.save_weights,
+            keystore=options.secure,
         )
     )
+    if configuration.keystore is not None:
+        from srnn_bringup.security import require_security
+
+        require_security(configuration.keystore, os.environ)
+    return configuration
 
 
 def _demo(options: argparse.Namespace) -> int:

@@ -75,6 +75,7 @@ class Choices:
         seed: seed of all random numbers.
         initial_weights: weight file to start from.
         weights_file: weight file that is written.
+        keystore: directory of the keystore that protects the graph.
 
     """
 
@@ -85,6 +86,7 @@ class Choices:
     seed: int = 0
     initial_weights: Path | None = None
     weights_file: Path | None = None
+    keystore: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -99,6 +101,7 @@ class Configuration(Parameters):
         tracking: content of tracking.yaml.
         initial_weights: absolute path of the weights to start from, None for the prior.
         weights_file: absolute path of the weights that are written, None for none.
+        keystore: absolute path of the keystore that protects the graph, None for none.
 
     """
 
@@ -109,6 +112,7 @@ class Configuration(Parameters):
     tracking: TrackingFile
     initial_weights: Path | None = None
     weights_file: Path | None = None
+    keystore: Path | None = None
     seed: int = parameter(
         0, minimum=0, maximum=SEED_MAX, doc='Seed of all random numbers of the graph.'
     )
@@ -174,6 +178,7 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         tracking=_read(TrackingFile, directory / 'tracking.yaml'),
         initial_weights=_absolute(choices.initial_weights),
         weights_file=_absolute(choices.weights_file),
+        keystore=_absolute(choices.keystore),
         seed=choices.seed,
     )
     configuration.start_weights()
