@@ -76,8 +76,7 @@ def found_authority(name: str, validity: Validity) -> Identity:
 
     """
     key = ec.generate_private_key(ec.SECP256R1())
-    constraints = x509.BasicConstraints(ca=True, path_length=0)
-    certificate = _certify(_named(name), key, _named(name), key, constraints, validity)
+    certificate = _certify(_named(name), key, _named(name), key, True, validity)
     return Identity(certificate, key)
 
 
@@ -92,8 +91,7 @@ def issue(authority: Identity, name: str, validity: Validity) -> Identity:
     """
     key = ec.generate_private_key(ec.SECP256R1())
     issuer = authority.certificate.subject
-    constraints = x509.BasicConstraints(ca=False, path_length=None)
-    certificate = _certify(_named(name), key, issuer, authority.key, constraints, validity)
+    certificate = _certify(_named(name), key, issuer, authority.key, False, validity)
     return Identity(certificate, key)
 
 
@@ -117,9 +115,12 @@ def _certify(
     key: ec.EllipticCurvePrivateKey,
     issuer: x509.Name,
     issuer_key: ec.EllipticCurvePrivateKey,
-    constraints: x509.BasicConstraints,
+    authority: bool,
     validity: Validity,
 ) -> x509.Certificate:
+    constraints = x509.BasicConstraints(authority, path_length=0 if authority else None)
+    of_subject = x509.SubjectKeyIdentifier.from_public_key(key.public_key())
+    of_issuer = x509.AuthorityKeyIdentifier.from_issuer_public_key(issuer_key.public_key())
     return (
         x509.CertificateBuilder()
         .subject_name(subject)
@@ -128,6 +129,24 @@ def _certify(
         .serial_number(x509.random_serial_number())
         .not_valid_before(validity.begin)
         .not_valid_after(validity.end)
-        .add_extension(constraints, critical=constraints.ca)
+        .add_extension(constraints, critical=True)
+        .add_extension(_usage(authority), critical=True)
+        .add_extension(of_subject, critical=False)
+        .add_extension(of_issuer, critical=False)
         .sign(issuer_key, hashes.SHA256())
+    )
+
+
+def _usage(authority: bool) -> x509.KeyUsage:
+    """Return what a key is for: an authority certifies and signs, a node signs."""
+    return x509.KeyUsage(
+        digital_signature=True,
+        content_commitment=False,
+        key_encipherment=False,
+        data_encipherment=False,
+        key_agreement=False,
+        key_cert_sign=authority,
+        crl_sign=authority,
+        encipher_only=False,
+        decipher_only=False,
     )
