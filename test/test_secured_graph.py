@@ -7,11 +7,15 @@ Runs where the middleware has DDS security; that of the wheels has none.
 from collections.abc import Iterator, Sequence
 import os
 from pathlib import Path
+import shutil
 import subprocess
 import sys
 
+from cryptography.hazmat.primitives.serialization import load_pem_private_key
+from cryptography.x509 import load_pem_x509_certificate
 import pytest
 
+from srnn_bringup.certificates import Identity, sign
 from srnn_bringup.config import Choices, load
 from srnn_bringup.environment import (
     domain_id,
@@ -19,7 +23,7 @@ from srnn_bringup.environment import (
     security_arguments,
     security_variables,
 )
-from srnn_bringup.keystore import create_keystore
+from srnn_bringup.keystore import SIGNED, create_keystore, enclave_folder
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.security import lack_of_security
 from srnn_msgs_py.ros.message_type import message_type
@@ -43,8 +47,12 @@ from srnn_msgs_py.topics import NODES, TOPICS
 
 RCLError = rclpy_implementation.RCLError
 name, seconds, *arguments = sys.argv[1:]
-rclpy.init(args=arguments)
-node = Node(name, enable_rosout=False, start_parameter_services=False)
+try:
+    rclpy.init(args=arguments)
+    node = Node(name, enable_rosout=False, start_parameter_services=False)
+except RCLError:
+    print('fails to enter')
+    sys.exit()
 heard = []
 for row in TOPICS:
     kind, qos = message_type(row.type_name), profile(row.qos)
@@ -152,3 +160,17 @@ def test_who_has_the_key_of_another_authority_sees_and_hears_nothing(graph, tmp_
     guest = member('srnn', made(tmp_path / 'theirs'))
     assert not guest.said('sees') & set(NODES)
     assert not guest.said('hears')
+
+
+def test_a_node_cannot_give_itself_rights(graph, keystore, tmp_path):
+    taken = Path(shutil.copytree(keystore, tmp_path / 'taken', symlinks=True))
+    shutil.rmtree(taken / 'private')
+    folder = enclave_folder(taken, 'planner')
+    key = load_pem_private_key((folder / 'key.pem').read_bytes(), None)
+    identity = Identity(load_pem_x509_certificate((folder / 'cert.pem').read_bytes()), key)
+    wish = (folder / 'permissions.xml').read_text()
+    wish = wish.replace('rt/segment<', 'rt/forward_position_controller/commands<')
+    (folder / SIGNED).write_bytes(sign(identity, wish))
+    guest = member('planner', taken, seconds=0.0)
+    assert guest.said('fails') == {'to', 'enter'}
+    assert not guest.said('writes')

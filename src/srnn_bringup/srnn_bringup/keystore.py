@@ -3,11 +3,14 @@
 
 ::
 
-    public/    ca.cert.pem, and the links identity_ca.cert.pem and permissions_ca.cert.pem
-    private/   ca.key.pem, and the links identity_ca.key.pem and permissions_ca.key.pem
+    public/    identity_ca.cert.pem, permissions_ca.cert.pem
+    private/   identity_ca.key.pem, permissions_ca.key.pem
     enclaves/  governance.xml, governance.p7s
     enclaves/srnn/<member>/  key.pem, cert.pem, permissions.xml, permissions.p7s, and links
-                             to both certificates of the authority and to governance.p7s
+                             to the certificates of both authorities and to governance.p7s
+
+`ros2 security` itself takes one authority for both purposes. Here there are two: Cyclone DDS
+believes permissions signed by any certificate of the authority, that is by any enclave.
 """
 
 from datetime import UTC, datetime
@@ -18,28 +21,24 @@ import shutil
 import tempfile
 
 from srnn_bringup.access import COMMAND, MEMBERS, access, enclave
-from srnn_bringup.certificates import (
-    Identity,
-    Validity,
-    found_authority,
-    issue,
-    sign,
-    validity_from,
-)
+from srnn_bringup.certificates import found_authority, issue, sign, validity_from
 from srnn_bringup.errors import KeystoreError
 from srnn_bringup.permissions import governance_xml, permissions_xml
 
-AUTHORITY = 'srnnCA'
-ROLES = ('identity_ca', 'permissions_ca')
-"""What the authority does; it has a name for each."""
+IDENTITY = 'identity_ca'
+"""The authority that says who is who."""
+
+PERMISSIONS = 'permissions_ca'
+"""The authority that says who may do what."""
 
 SIGNED = 'permissions.p7s'
 FILES = (
-    'identity_ca.cert.pem', 'permissions_ca.cert.pem', 'governance.p7s',
+    f'{IDENTITY}.cert.pem', f'{PERMISSIONS}.cert.pem', 'governance.p7s',
     'key.pem', 'cert.pem', 'permissions.xml', SIGNED,
 )  # fmt: skip
 """What every enclave has."""
 
+_AUTHORITIES = (IDENTITY, PERMISSIONS)
 _DOMAIN = re.compile(rb'<id>\s*(\d+)\s*</id>')
 
 
@@ -110,33 +109,25 @@ def _fill(root: Path, domain: int) -> None:
     for folder in ('public', 'private', 'enclaves', enclave_folder(Path(), COMMAND).parent):
         (root / folder).mkdir(mode=0o700)
     validity = validity_from(datetime.now(UTC))
-    authority = found_authority(AUTHORITY, validity)
-    _write(root / 'public' / 'ca.cert.pem', authority.certificate_pem())
-    _write(root / 'private' / 'ca.key.pem', authority.key_pem())
-    for role in ROLES:
-        (root / 'public' / f'{role}.cert.pem').symlink_to('ca.cert.pem')
-        (root / 'private' / f'{role}.key.pem').symlink_to('ca.key.pem')
+    authorities = {name: found_authority(f'srnn_{name}', validity) for name in _AUTHORITIES}
+    for name, authority in authorities.items():
+        _write(root / 'public' / f'{name}.cert.pem', authority.certificate_pem())
+        _write(root / 'private' / f'{name}.key.pem', authority.key_pem())
     governance = governance_xml(domain)
     _write(root / 'enclaves' / 'governance.xml', governance.encode())
-    _write(root / 'enclaves' / 'governance.p7s', sign(authority, governance))
+    _write(root / 'enclaves' / 'governance.p7s', sign(authorities[PERMISSIONS], governance))
     for member in MEMBERS:
-        _add_enclave(root, member, authority, domain, validity)
-
-
-def _add_enclave(
-    root: Path, member: str, authority: Identity, domain: int, validity: Validity
-) -> None:
-    folder = enclave_folder(root, member)
-    folder.mkdir(mode=0o700)
-    identity = issue(authority, enclave(member), validity)
-    permissions = permissions_xml(enclave(member), access(member), domain, validity)
-    _write(folder / 'key.pem', identity.key_pem())
-    _write(folder / 'cert.pem', identity.certificate_pem())
-    _write(folder / 'permissions.xml', permissions.encode())
-    _write(folder / SIGNED, sign(authority, permissions))
-    for role in ROLES:
-        _link(folder / f'{role}.cert.pem', root / 'public' / f'{role}.cert.pem')
-    _link(folder / 'governance.p7s', root / 'enclaves' / 'governance.p7s')
+        folder = enclave_folder(root, member)
+        folder.mkdir(mode=0o700)
+        identity = issue(authorities[IDENTITY], enclave(member), validity)
+        permissions = permissions_xml(enclave(member), access(member), domain, validity)
+        _write(folder / 'key.pem', identity.key_pem())
+        _write(folder / 'cert.pem', identity.certificate_pem())
+        _write(folder / 'permissions.xml', permissions.encode())
+        _write(folder / SIGNED, sign(authorities[PERMISSIONS], permissions))
+        for name in _AUTHORITIES:
+            _link(folder / f'{name}.cert.pem', root / 'public' / f'{name}.cert.pem')
+        _link(folder / 'governance.p7s', root / 'enclaves' / 'governance.p7s')
 
 
 def _write(path: Path, content: bytes) -> None:

@@ -61,8 +61,8 @@ def test_the_layout_is_that_of_ros2_security(made):
     enclaves = {f'enclaves{enclave(member)}/{name}' for member in MEMBERS for name in FILES}
     assert {str(path.relative_to(made)) for path in content(made)} == enclaves | {
         'enclaves/governance.p7s', 'enclaves/governance.xml',
-        'private/ca.key.pem', 'private/identity_ca.key.pem', 'private/permissions_ca.key.pem',
-        'public/ca.cert.pem', 'public/identity_ca.cert.pem', 'public/permissions_ca.cert.pem',
+        'private/identity_ca.key.pem', 'private/permissions_ca.key.pem',
+        'public/identity_ca.cert.pem', 'public/permissions_ca.cert.pem',
     }  # fmt: skip
 
 
@@ -75,7 +75,7 @@ def test_only_the_owner_can_read_it(made):
 def test_links_lead_to_where_the_keystore_is_moved(made, tmp_path):
     moved = Path(shutil.copytree(made, tmp_path / 'moved', symlinks=True))
     links = [path for path in moved.rglob('*') if path.is_symlink()]
-    assert len(links) == 4 + 3 * len(MEMBERS)
+    assert len(links) == 3 * len(MEMBERS)
     assert all(path.resolve().is_relative_to(moved) for path in links)
 
 
@@ -127,10 +127,23 @@ def test_a_changed_permission_or_another_authority_does_not_verify(copy, tmp_pat
     create_keystore(tmp_path / 'theirs', DOMAIN)
     folder = enclave_folder(copy, 'planner')
     signed, authority = folder / 'permissions.p7s', folder / 'permissions_ca.cert.pem'
-    theirs = tmp_path / 'theirs' / 'public' / 'ca.cert.pem'
+    theirs = tmp_path / 'theirs' / 'public' / 'permissions_ca.cert.pem'
     assert openssl('smime', '-verify', '-in', signed, '-CAfile', authority).returncode == 0
     assert openssl('smime', '-verify', '-in', signed, '-CAfile', theirs).returncode != 0
     signed.write_bytes(signed.read_bytes().replace(b'rt/segment<', b'rt/*<'))
+    assert openssl('smime', '-verify', '-in', signed, '-CAfile', authority).returncode != 0
+
+
+def test_an_enclave_cannot_sign_permissions_of_its_own(made, tmp_path):
+    folder = enclave_folder(made, 'planner')
+    signed, authority = tmp_path / 'signed', folder / 'permissions_ca.cert.pem'
+    done = openssl(
+        'smime', '-sign', '-text', '-in', folder / 'permissions.xml', '-out', signed,
+        '-signer', folder / 'cert.pem', '-inkey', folder / 'key.pem',
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    identity = folder / 'identity_ca.cert.pem'
+    assert openssl('smime', '-verify', '-in', signed, '-CAfile', identity).returncode == 0
     assert openssl('smime', '-verify', '-in', signed, '-CAfile', authority).returncode != 0
 
 
@@ -155,6 +168,23 @@ def test_an_empty_directory_will_do(tmp_path):
     (tmp_path / 'empty').mkdir()
     create_keystore(tmp_path / 'empty', DOMAIN)
     check_keystore(tmp_path / 'empty', DOMAIN)
+
+
+def test_what_appears_meanwhile_is_left_as_it_is(tmp_path, monkeypatch):
+    place, fill = tmp_path / 'place', keystore._fill
+
+    def fill_slowly(draft, domain):
+        fill(draft, domain)
+        create_note(place)
+
+    def create_note(folder):
+        folder.mkdir()
+        (folder / 'note').write_text('mine')
+
+    monkeypatch.setattr(keystore, '_fill', fill_slowly)
+    with pytest.raises(OSError, match='not empty'):
+        create_keystore(place, DOMAIN)
+    assert content(tmp_path) == {place / 'note': b'mine'}
 
 
 @pytest.mark.parametrize('number', range(5))
@@ -189,7 +219,7 @@ def test_a_missing_file_is_named(copy, member, name):
 
 
 def test_a_link_to_nowhere_is_a_missing_file(copy):
-    (copy / 'public' / 'ca.cert.pem').unlink()
+    (copy / 'public' / 'identity_ca.cert.pem').unlink()
     with pytest.raises(KeystoreError, match=r'identity_ca.cert.pem is missing'):
         check_keystore(copy, DOMAIN)
 

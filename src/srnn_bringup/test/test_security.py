@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from srnn_bringup import cli, security, supervisor
+from srnn_bringup import cli, security, security_probe, supervisor
 from srnn_bringup.config import Choices, load
 from srnn_bringup.environment import domain_id, graph_environment, security_arguments
 from srnn_bringup.errors import ChoiceError, KeystoreError, SecurityError
@@ -14,6 +14,14 @@ from srnn_bringup.graph import describe
 from srnn_bringup.keystore import check_keystore, create_keystore, enclave_folder
 from srnn_bringup.live_graph import command
 from srnn_bringup.security import lack_of_security, require_security
+
+LACK = "This Fast DDS version doesn't have the security libraries"
+WHEEL = Path(sys.prefix, 'lib', 'librmw_fastrtps_shared_cpp.so')
+
+unprotected = pytest.mark.skipif(
+    'LD_PRELOAD' in os.environ or not WHEEL.is_file() or LACK.encode() not in WHEEL.read_bytes(),
+    reason='for the middleware of the wheels',
+)
 
 
 @pytest.fixture
@@ -38,24 +46,38 @@ def probe_that(monkeypatch, tmp_path, python: str) -> None:
     monkeypatch.setattr(security.sys, 'executable', str(script))
 
 
+@unprotected
+def test_the_middleware_of_the_wheels_says_itself_what_it_lacks():
+    assert lack_of_security(os.environ) == LACK
+
+
+@unprotected
 @pytest.mark.usefixtures('nothing_starts')
 @pytest.mark.parametrize('line', ['up', 'demo --segments 1'])
 def test_a_middleware_without_security_is_refused_before_anything_starts(keystore, line, capsys):
-    lack = lack_of_security(os.environ)
-    if not lack:
-        pytest.skip('this middleware has DDS security')
     assert cli.main([*line.split(), '--secure', str(keystore)]) == 2
     error = capsys.readouterr().err
-    assert f'no DDS security ({lack})' in error
+    assert f'no DDS security ({LACK})' in error
     assert 'srnn key create FILE' in error
     assert 'srnn up --key FILE' in error
 
 
-def test_fast_dds_of_the_wheels_says_itself_what_it_lacks():
-    lack = lack_of_security(os.environ)
-    if not lack:
-        pytest.skip('this middleware has DDS security')
-    assert lack == "This Fast DDS version doesn't have the security libraries"
+@pytest.mark.parametrize(
+    ('of_valid', 'of_forged', 'code', 'said'),
+    [
+        (None, 'permissions are forged', 0, ''),
+        ('no plug-ins', 'no plug-ins', 1, 'no plug-ins\n'),
+        (None, None, 1, 'it lets in whose permissions are not valid\n'),
+        ('no plug-ins', None, 1, 'no plug-ins\n'),
+    ],
+)
+def test_security_is_to_let_in_the_one_and_not_the_other(
+    monkeypatch, capsys, of_valid, of_forged, code, said
+):
+    refusals = {Path('valid'): of_valid, Path('forged'): of_forged}
+    monkeypatch.setattr(security_probe, '_refusal', refusals.get)
+    assert security_probe.main(['valid', 'forged']) == code
+    assert capsys.readouterr().out == said
 
 
 @pytest.mark.usefixtures('nothing_starts')
