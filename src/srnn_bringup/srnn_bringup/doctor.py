@@ -139,7 +139,7 @@ def _security(environ: Mapping[str, str]) -> Finding:
         from srnn_bringup.security import lack_of_security
 
         lack = lack_of_security(environ)
-    except ImportError as error:
+    except (BringupError, ImportError) as error:
         lack = str(error)
     if lack:
         words = f'not available ({lack}): use a key, srnn up --key FILE'

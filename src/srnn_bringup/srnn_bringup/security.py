@@ -9,12 +9,12 @@ import tempfile
 
 from srnn_bringup.access import COMMAND
 from srnn_bringup.environment import domain_id, graph_environment
-from srnn_bringup.errors import ChoiceError, SecurityError
+from srnn_bringup.errors import ChoiceError, NotReadyError, SecurityError
 from srnn_bringup.keystore import SIGNED, check_keystore, create_keystore, enclave_folder
 
 ENCLAVE_OVERRIDE = 'ROS_SECURITY_ENCLAVE_OVERRIDE'
 
-TRY_S = 30.0
+TRY_S = 60.0
 """Longest wait for the middleware to show what it does with a keystore [s]."""
 
 
@@ -29,6 +29,7 @@ def require_security(keystore: Path, environ: Mapping[str, str]) -> None:
         ChoiceError: the environment would give all nodes one identity.
         KeystoreError: the keystore is not complete, or for another domain.
         SecurityError: the middleware has no DDS security.
+        NotReadyError: it does not show within a minute whether it has.
 
     """
     override = environ.get(ENCLAVE_OVERRIDE)
@@ -58,6 +59,9 @@ def lack_of_security(environ: Mapping[str, str]) -> str:
     Args:
         environ: environment of the graph.
 
+    Raises:
+        NotReadyError: the trial takes too long.
+
     """
     with tempfile.TemporaryDirectory(prefix='srnn_') as folder:
         valid, forged = Path(folder, 'valid'), Path(folder, 'forged')
@@ -77,7 +81,9 @@ def lack_of_security(environ: Mapping[str, str]) -> str:
                 timeout=TRY_S,
             )
         except subprocess.TimeoutExpired:
-            return f'no answer within {TRY_S:g} s'
+            raise NotReadyError(
+                f'the middleware does not show within {TRY_S:g} s whether it has DDS security'
+            ) from None
     if done.returncode == 0:
         return ''
     lines = (done.stdout.strip() or done.stderr.strip()).splitlines()
