@@ -14,11 +14,13 @@ from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
 from srnn_bringup.experiment_options import add_experiments
 from srnn_bringup.key_command import add_key, add_key_actions
+from srnn_bringup.keystore_command import add_keystore_actions
 from srnn_bringup.options import (
     add_learning,
     add_network,
     add_scene,
     add_seed,
+    existing_directory,
     new_file,
     picture_file,
     whole,
@@ -43,8 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code: 2 for a wrong command line or file."""
     parser, commands = _parsers()
     options, unknown = parser.parse_known_args(arguments)
-    action = getattr(options, 'experiment', None) or getattr(options, 'action', None)
-    chosen = (options.command, action)
+    chosen = (options.command, getattr(options, 'action', None))
     commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
     try:
         return int(options.run(options))
@@ -75,6 +76,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
             ('key', 'Make the key by which the nodes know each other.'),
+            ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
             ('experiment', 'Many trials on simulated time: runs and tables.'),
         )
     }  # fmt: skip
@@ -82,16 +84,16 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     _add_graph(commands['up'])
     commands['up'].set_defaults(run=_up)
     commands['doctor'].set_defaults(run=_doctor)
-    experiments = commands['experiment'].add_subparsers(
-        dest='experiment', metavar='EXPERIMENT', required=True, parser_class=Parser
-    )
-    for name, experiment in add_experiments(experiments).items():
-        commands[f'experiment {name}'] = experiment
-    actions = commands['key'].add_subparsers(
-        dest='action', metavar='ACTION', required=True, parser_class=Parser
-    )
-    for name, action in add_key_actions(actions).items():
-        commands[f'key {name}'] = action
+    for command, metavar, add in (
+        ('experiment', 'EXPERIMENT', add_experiments),
+        ('key', 'ACTION', add_key_actions),
+        ('keystore', 'ACTION', add_keystore_actions),
+    ):
+        actions = commands[command].add_subparsers(
+            dest='action', metavar=metavar, required=True, parser_class=Parser
+        )
+        for name, action in add(actions).items():
+            commands[f'{command} {name}'] = action
     return parser, commands
 
 
@@ -109,6 +111,10 @@ def _add_graph(parser: Parser) -> None:
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
     )  # fmt: skip
+    parser.add_argument(
+        '--secure', type=existing_directory, metavar='KEYSTORE',
+        help='keystore of DDS security: nobody takes part without a key, or beyond its rights',
+    )
 
 
 def _add_demo(parser: Parser) -> None:
@@ -127,7 +133,7 @@ def _add_demo(parser: Parser) -> None:
 
 def _configuration(options: argparse.Namespace) -> Configuration:
     check_environment(os.environ)
-    return load(
+    configuration = load(
         Choices(
             scene=options.scene,
             network=options.network,
@@ -137,8 +143,14 @@ def _configuration(options: argparse.Namespace) -> Configuration:
             initial_weights=options.weights,
             weights_file=options.save_weights,
             key_file=options.key,
+            keystore=options.secure,
         )
     )
+    if configuration.keystore is not None:
+        from srnn_bringup.security import require_security
+
+        require_security(configuration.keystore, os.environ)
+    return configuration
 
 
 def _demo(options: argparse.Namespace) -> int:

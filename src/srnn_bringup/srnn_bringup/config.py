@@ -77,6 +77,7 @@ class Choices:
         initial_weights: weight file to start from.
         weights_file: weight file that is written.
         key_file: file with the key that the nodes share.
+        keystore: directory of the keystore that protects the graph.
 
     """
 
@@ -88,6 +89,7 @@ class Choices:
     initial_weights: Path | None = None
     weights_file: Path | None = None
     key_file: Path | None = None
+    keystore: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -103,6 +105,7 @@ class Configuration(Parameters):
         initial_weights: absolute path of the weights to start from, None for the prior.
         weights_file: absolute path of the weights that are written, None for none.
         key_file: absolute path of the key that the nodes share, None for none.
+        keystore: absolute path of the keystore that protects the graph, None for none.
 
     """
 
@@ -114,6 +117,7 @@ class Configuration(Parameters):
     initial_weights: Path | None = None
     weights_file: Path | None = None
     key_file: Path | None = None
+    keystore: Path | None = None
     seed: int = parameter(
         0, minimum=0, maximum=SEED_MAX, doc='Seed of all random numbers of the graph.'
     )
@@ -190,6 +194,7 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         initial_weights=_absolute(choices.initial_weights),
         weights_file=_absolute(choices.weights_file),
         key_file=_absolute(choices.key_file),
+        keystore=_absolute(choices.keystore),
         seed=choices.seed,
     )
     configuration.start_weights()

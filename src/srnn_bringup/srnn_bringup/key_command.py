@@ -3,17 +3,16 @@
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 from srnn_access import key_file
 from srnn_bringup.command_line import Parser
 from srnn_bringup.options import new_file
 
 
-def add_key_actions(table: Any) -> dict[str, Parser]:
+def add_key_actions(table: 'argparse._SubParsersAction[Parser]') -> dict[str, Parser]:
     """Add the actions to the sub-parsers `table`; return their parsers by name."""
     text = 'Write a new random key, readable by its owner alone; no file is overwritten.'
-    parser: Parser = table.add_parser('create', help=text, description=text, allow_abbrev=False)
+    parser = table.add_parser('create', help=text, description=text, allow_abbrev=False)
     parser.add_argument('file', type=new_file, metavar='FILE', help='key file to write')
     parser.set_defaults(run=_create)
     return {'create': parser}

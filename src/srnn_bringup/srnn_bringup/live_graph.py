@@ -15,16 +15,19 @@ from typing import Self
 
 import rclpy
 from rclpy.experimental import EventsExecutor
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
+from srnn_bringup.access import COMMAND
 from srnn_bringup.config import Configuration
-from srnn_bringup.environment import DOMAIN_ID, graph_environment
+from srnn_bringup.environment import DOMAIN_ID, graph_environment, security_arguments
 from srnn_bringup.errors import (
     BringupError,
     ChoiceError,
     Interrupted,
     NodeDiedError,
+    SecurityError,
     TransitionError,
 )
 from srnn_bringup.graph import NodeDescription, access, describe, write_parameters
@@ -137,7 +140,7 @@ class LiveGraph:
 
         """
         description = self._descriptions[self.names.index(name)]
-        self._supervisor.start(command(description, self._files[name], autostart=True))
+        self._supervisor.start(self._command(description, autostart=True))
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
@@ -149,11 +152,8 @@ class LiveGraph:
         # Before this process has the threads of the middleware, it may fork safely.
         self._supervisor = stack.enter_context(Supervisor(directory))
         for description in self._descriptions:
-            self._supervisor.start(command(description, self._files[description.name]))
-        os.environ.update(graph_environment(os.environ))
-        rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
-        stack.callback(rclpy.try_shutdown)
-        self.node = Node('srnn', enable_rosout=False, start_parameter_services=False)
+            self._supervisor.start(self._command(description))
+        self.node = self._enter(stack)
         stack.callback(self.node.destroy_node)
         executor = EventsExecutor()
         stack.callback(executor.shutdown)
@@ -163,6 +163,23 @@ class LiveGraph:
             LifecycleClient(self.node, name, partial(self._last_error, name))
             for name in self.names
         ]
+
+    def _enter(self, stack: ExitStack) -> Node:
+        keystore = self._configuration.keystore
+        os.environ.update(graph_environment(os.environ, keystore))
+        stack.callback(rclpy.try_shutdown)
+        try:
+            rclpy.init(
+                args=security_arguments(COMMAND, keystore),
+                signal_handler_options=SignalHandlerOptions.NO,
+            )
+            return Node(COMMAND, enable_rosout=False, start_parameter_services=False)
+        except rclpy_implementation.RCLError as error:
+            raise SecurityError(f'the middleware does not let {COMMAND} in: {error}') from error
+
+    def _command(self, description: NodeDescription, autostart: bool = False) -> Command:
+        keystore = self._configuration.keystore
+        return command(description, self._files[description.name], autostart, keystore)
 
     def _deactivate(self) -> None:
         pump = self.pump.unguarded()
@@ -195,16 +212,20 @@ class LiveGraph:
 
 
 def command(
-    description: NodeDescription, parameters: Path, autostart: bool = False
+    description: NodeDescription,
+    parameters: Path,
+    autostart: bool = False,
+    keystore: Path | None = None,
 ) -> Command:
-    """Return the process of a node with its parameter file."""
+    """Return the process of a node with its parameter file, in its enclave of a keystore."""
     arguments: tuple[str, ...] = ('--ros-args', '--params-file', str(parameters))
     if autostart:
         arguments += ('-p', 'autostart:=true')
+    enclave = security_arguments(description.name, keystore)
     return Command(
         description.name,
-        (sys.executable, '-m', description.module, *arguments),
-        graph_environment(os.environ),
+        (sys.executable, '-m', description.module, *arguments, *enclave),
+        graph_environment(os.environ, keystore),
     )
 
 

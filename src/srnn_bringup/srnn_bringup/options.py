@@ -95,6 +95,14 @@ def new_file(text: str) -> Path:
     return path
 
 
+def existing_directory(text: str) -> Path:
+    """Read the path of a directory that is there."""
+    path = Path(text)
+    if not path.is_dir():
+        raise argparse.ArgumentTypeError(f'{text!r}: there is no such directory')
+    return path
+
+
 def new_directory(text: str) -> Path:
     """Read the path of a directory that is there or can be made."""
     path = Path(text)
