@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Two hosts on one machine: network namespaces with a link between them, for fault tests."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 import os
@@ -103,13 +103,13 @@ def two_hosts(directory: Path) -> Iterator[TwoHosts]:
             Host(name, *addresses, stack.enter_context(_holder(table)))
             for name, addresses in zip(NAMES, ADDRESSES, strict=True)
         )
-        arm.ip('link', 'add', INTERFACE, 'type', 'veth', 'peer', INTERFACE, 'netns', str(brain.pid))
+        other_end = ('peer', INTERFACE, 'netns', str(brain.pid))
+        arm.ip('link', 'add', INTERFACE, 'type', 'veth', *other_end)
         for host in (arm, brain):
             host.ip('link', 'set', 'lo', 'up')
             host.ip('addr', 'add', f'{host.ipv4}/24', 'dev', INTERFACE)
             host.ip('addr', 'add', f'{host.ipv6}/64', 'dev', INTERFACE, 'nodad')
             host.ip('link', 'set', INTERFACE, 'up')
-            host.ip('route', 'add', 'default', 'dev', INTERFACE)
         yield TwoHosts(arm, brain)
 
 

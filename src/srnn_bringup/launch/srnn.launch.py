@@ -10,7 +10,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import LifecycleNode
 
 from srnn_bringup.config import STANDARD_SCENE, Choices, load
-from srnn_bringup.graph import describe, write_parameters
+from srnn_bringup.graph import NAMES, describe, part, write_parameters
 from srnn_planner.core.dissonance import SIGNALS
 
 RESPAWN_S = 1.0
@@ -21,6 +21,7 @@ ARGUMENTS = {
     'scene': (STANDARD_SCENE, None, 'name of a scene in config/scenes, or path of a scene file'),
     'signal': ('', ['', *SIGNALS], 'learning signal; empty for the one of network.yaml'),
     'seed': ('0', None, 'seed of all random numbers'),
+    'only': (','.join(NAMES), None, 'nodes to start'),
 }
 """Default, choices and meaning of every argument."""
 
@@ -40,6 +41,7 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
     choices = Choices(
         scene=given['scene'], signal=given['signal'] or None, seed=int(given['seed'])
     )
+    only = part(given['only'])
     # The directory outlives this function: the nodes read its files when they start.
     directory = Path(tempfile.mkdtemp(prefix='srnn_'))
     nodes = describe(load(choices), directory)
@@ -56,4 +58,5 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
             respawn_delay=RESPAWN_S,
         )
         for node in nodes
+        if node.name in only
     ]

@@ -15,6 +15,8 @@ from srnn_bringup.experiment_options import add_experiments
 from srnn_bringup.options import (
     add_learning,
     add_network,
+    add_part,
+    add_peers,
     add_scene,
     add_seed,
     new_file,
@@ -31,9 +33,9 @@ SEGMENTS = 150
 SEGMENTS_MAX = 100_000
 
 _ENVIRONMENT = """\
-The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless
-ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. SRNN_REALTIME_PRIORITY sets the priority of
-the nodes that move the arm, 0 for none.
+The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless other hosts
+are named or ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. SRNN_REALTIME_PRIORITY sets the
+priority of the nodes that move the arm, 0 for none.
 """
 
 
@@ -70,13 +72,20 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         for name, text in (
             ('demo', 'Learn an obstacle live on the simulated arm, and report.'),
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
+            ('pause', 'Bring the arm of a running graph to rest, and have it stay there.'),
+            ('resume', 'Have a paused graph go on.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
             ('experiment', 'Many trials on simulated time: runs and tables.'),
         )
     }  # fmt: skip
     _add_demo(commands['demo'])
     _add_graph(commands['up'])
+    add_part(commands['up'])
     commands['up'].set_defaults(run=_up)
+    for name, run in (('pause', _pause), ('resume', _resume)):
+        commands[name].set_defaults(run=run)
+    for name in ('up', 'pause', 'resume'):
+        add_peers(commands[name])
     commands['doctor'].set_defaults(run=_doctor)
     experiments = commands['experiment'].add_subparsers(
         dest='experiment', metavar='EXPERIMENT', required=True, parser_class=Parser
@@ -143,7 +152,21 @@ def _up(options: argparse.Namespace) -> int:
     configuration = _configuration(options)
     from srnn_bringup.up import run_up
 
-    return run_up(configuration)
+    return run_up(configuration, options.only, options.peer)
+
+
+def _pause(options: argparse.Namespace) -> int:
+    check_environment(os.environ)
+    from srnn_bringup.pausing import run_pause
+
+    return run_pause(options.peer)
+
+
+def _resume(options: argparse.Namespace) -> int:
+    check_environment(os.environ)
+    from srnn_bringup.pausing import run_resume
+
+    return run_resume(options.peer)
 
 
 def _doctor(_: argparse.Namespace) -> int:

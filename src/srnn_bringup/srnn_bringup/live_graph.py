@@ -13,11 +13,6 @@ import time
 from types import TracebackType
 from typing import Self
 
-import rclpy
-from rclpy.experimental import EventsExecutor
-from rclpy.node import Node
-from rclpy.signals import SignalHandlerOptions
-
 from srnn_bringup.config import Configuration
 from srnn_bringup.environment import DOMAIN_ID, graph_environment
 from srnn_bringup.errors import (
@@ -27,10 +22,11 @@ from srnn_bringup.errors import (
     NodeDiedError,
     TransitionError,
 )
-from srnn_bringup.graph import NodeDescription, describe, write_parameters
+from srnn_bringup.graph import NAMES, NodeDescription, describe, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
-from srnn_bringup.pump import Pump
 from srnn_bringup.restarts import Restarts
+from srnn_bringup.session import session
+from srnn_bringup.states import States
 from srnn_bringup.supervisor import Command, Death, Supervisor
 from srnn_node.signals import StopRequest
 
@@ -44,7 +40,7 @@ _ERROR_LINE = re.compile(r'^\[(?:ERROR|FATAL)\](?: \[[^]]*\])* ?:? ?(.*)$')
 
 
 class LiveGraph:
-    """All nodes as processes; as a context manager it takes down whatever it brought up.
+    """Nodes as processes; as a context manager it takes down whatever it brought up.
 
     Attributes:
         node: node of this process, for whoever wants to listen.
@@ -59,6 +55,7 @@ class LiveGraph:
         stop: StopRequest,
         say: Callable[[str], None],
         restarts: Restarts | None = None,
+        names: tuple[str, ...] = NAMES,
     ) -> None:
         """Start nothing yet.
 
@@ -68,6 +65,7 @@ class LiveGraph:
             say: told in words what happens.
             restarts: when to start active nodes anew that have died; None: the graph is
                 at its end then.
+            names: which nodes, in the order of their bring-up.
 
         """
         self._restarts = restarts
@@ -76,7 +74,7 @@ class LiveGraph:
         self._say = say
         self._stack = ExitStack()
         self._active: list[LifecycleClient] = []
-        self.names = tuple(description.name for description in describe(configuration))
+        self.names = names
 
     def __enter__(self) -> Self:
         with ExitStack() as stack:
@@ -130,33 +128,28 @@ class LiveGraph:
         """Start a node that has ended anew; it goes through its lifecycle by itself.
 
         Its services cannot be used for that: for a while a request may still go to the
-        process that has died.
+        process that has died. One that was paused stays inactive.
 
         Raises:
             NodeDiedError: it cannot be started.
 
         """
         description = self._descriptions[self.names.index(name)]
-        self._supervisor.start(command(description, self._files[name], autostart=True))
+        paused = name in self._states.paused
+        self._supervisor.start(command(description, self._files[name], True, paused))
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
-        self._descriptions = describe(self._configuration, directory)
+        whole = describe(self._configuration, directory)
+        self._descriptions = tuple(node for node in whole if node.name in self.names)
         self._files = write_parameters(self._descriptions, directory)
         self._say(f'starting {", ".join(self.names)}')
         # Before this process has the threads of the middleware, it may fork safely.
         self._supervisor = stack.enter_context(Supervisor(directory))
         for description in self._descriptions:
             self._supervisor.start(command(description, self._files[description.name]))
-        os.environ.update(graph_environment(os.environ))
-        rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
-        stack.callback(rclpy.try_shutdown)
-        self.node = Node('srnn', enable_rosout=False, start_parameter_services=False)
-        stack.callback(self.node.destroy_node)
-        executor = EventsExecutor()
-        stack.callback(executor.shutdown)
-        executor.add_node(self.node)
-        self.pump = Pump(executor, self._guard)
+        self.node, self.pump = stack.enter_context(session('srnn', self._guard))
+        self._states = States(self.node, self.names)
         self._clients = [
             LifecycleClient(self.node, name, partial(self._last_error, name))
             for name in self.names
@@ -167,7 +160,8 @@ class LiveGraph:
         for client in reversed(self._active):
             # Whatever goes wrong here, the process is stopped next.
             with suppress(BringupError):
-                if self._supervisor.alive(client.name):
+                alive = self._supervisor.alive(client.name)
+                if alive and client.name not in self._states.paused:
                     client.change('deactivate', pump, DEACTIVATE_S)
         self._active.clear()
 
@@ -193,12 +187,12 @@ class LiveGraph:
 
 
 def command(
-    description: NodeDescription, parameters: Path, autostart: bool = False
+    description: NodeDescription, parameters: Path, autostart: bool = False, paused: bool = False
 ) -> Command:
     """Return the process of a node with its parameter file."""
     arguments: tuple[str, ...] = ('--ros-args', '--params-file', str(parameters))
     if autostart:
-        arguments += ('-p', 'autostart:=true')
+        arguments += ('-p', 'autostart:=true', '-p', f'paused:={str(paused).lower()}')
     return Command(
         description.name,
         (sys.executable, '-m', description.module, *arguments),

@@ -7,6 +7,8 @@ import socket
 
 from srnn_bringup.errors import ChoiceError
 
+Address = IPv4Address | IPv6Address
+
 _ANY_PORT = 9
 """Where a route leads does not depend on the port, and nothing is sent."""
 
@@ -21,8 +23,8 @@ class Peer:
 
     """
 
-    address: IPv4Address | IPv6Address
-    own: IPv4Address | IPv6Address
+    address: Address
+    own: Address
 
 
 def find_peer(text: str) -> Peer:
@@ -44,7 +46,7 @@ def find_peer(text: str) -> Peer:
     return Peer(address, own)
 
 
-def _resolve(text: str) -> IPv4Address | IPv6Address:
+def _resolve(text: str) -> Address:
     try:
         return ip_address(text)
     except ValueError:
@@ -61,7 +63,7 @@ def _resolve(text: str) -> IPv4Address | IPv6Address:
     return ip_address(found[0][4][0])
 
 
-def _own_address(text: str, address: IPv4Address | IPv6Address) -> IPv4Address | IPv6Address:
+def _own_address(text: str, address: Address) -> Address:
     family = socket.AF_INET if address.version == 4 else socket.AF_INET6
     with socket.socket(family, socket.SOCK_DGRAM) as probe:
         try:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What ``--help`` prints for a node."""
 
-from srnn_node.lifecycle import WorkspaceNode
+from srnn_node.lifecycle import STARTING, WorkspaceNode
 from srnn_node.parameters import leaves
 
 
@@ -13,7 +13,7 @@ def usage(node_class: type[WorkspaceNode]) -> str:
         'usage: --ros-args [-p NAME:=VALUE]... [--params-file FILE] [-r FROM:=TO]...',
         '',
         'parameters:',
-        '  autostart: Configure and activate without being asked.',
+        *(f'  {name}: {text}' for name, text in STARTING.items()),
     ]
     for leaf in leaves(node_class.PARAMETERS):
         unit = f' [{leaf.spec.unit}]' if leaf.spec.unit else ''
