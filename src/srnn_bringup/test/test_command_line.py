@@ -2,13 +2,14 @@
 import pytest
 
 from srnn_bringup import cli
+from srnn_bringup.graph import NAMES
 from srnn_bringup.report import Outputs
 
 
 @pytest.mark.parametrize(
     ('line', 'words'),
     [
-        ('dmo', "'demo', 'up', 'doctor'"),
+        ('dmo', "'demo', 'up', 'pause', 'resume', 'doctor'"),
         ('', 'COMMAND'),
         ('demo --signl local', "did you mean '--signal'?"),
         ('demo --signal locl', "'none', 'global', 'local', 'constant', 'untriggered'"),
@@ -26,11 +27,17 @@ from srnn_bringup.report import Outputs
         ('demo --arm fri', "'sim'"),
         ('demo now', "unknown argument 'now'"),
         ('up --segments 3', "unknown argument '--segments'"),
+        ('up --only planer', "did you mean 'planner'?"),
+        ('up --only planner,', "unknown node ''; nodes: sim_bridge, tracker, adapter, planner"),
+        ('up --peer 300.1.2.3', 'must be an IPv4 or IPv6 address, or the name of a host'),
+        ('pause --peer 127.0.0.1', 'is this host itself'),
+        ('resume --only planner', "unknown argument '--only'"),
         ('doctor --all', "unknown argument '--all'"),
     ],
 )
 def test_mistakes_get_one_line_that_helps_and_exit_code_2(line, words, capsys, monkeypatch):
     monkeypatch.setattr('srnn_bringup.demo.run_demo', not_reached)
+    monkeypatch.setattr('srnn_bringup.up.run_up', not_reached)
     try:
         code = cli.main(line.split())
     except SystemExit as end:
@@ -60,7 +67,7 @@ def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):
     assert "did you mean 'velocity'?" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize('command', [[], ['demo'], ['up'], ['doctor']])
+@pytest.mark.parametrize('command', [[], ['demo'], ['up'], ['pause'], ['resume'], ['doctor']])
 def test_help_explains_every_option(command, capsys):
     with pytest.raises(SystemExit) as end:
         cli.main([*command, '--help'])
@@ -83,7 +90,14 @@ def test_options_reach_the_demo(tmp_path, monkeypatch):
     assert outputs == Outputs(picture=picture, json=figures)
 
 
+def test_a_part_of_the_graph_starts_in_the_usual_order(monkeypatch):
+    calls = []
+    monkeypatch.setattr('srnn_bringup.up.run_up', lambda *arguments: calls.append(arguments) or 0)
+    assert cli.main(['up']) == cli.main(['up', '--only', 'planner, tracker']) == 0
+    assert [call[1:] for call in calls] == [(NAMES, []), (('tracker', 'planner'), [])]
+
+
 def test_exit_code_of_the_command_is_handed_on(monkeypatch):
-    monkeypatch.setattr('srnn_bringup.up.run_up', lambda configuration: 1)
+    monkeypatch.setattr('srnn_bringup.up.run_up', lambda *arguments: 1)
     assert cli.main(['up']) == 1
 

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from srnn_bringup.config import Choices, load
-from srnn_bringup.graph import describe
+from srnn_bringup.graph import NAMES, describe
 
 FILE = Path(__file__).parents[1] / 'launch' / 'srnn.launch.py'
 
@@ -47,16 +47,21 @@ def launch_file(monkeypatch, tmp_path):
 def test_arguments_have_defaults_and_choices(launch_file):
     (entities,) = launch_file['generate_launch_description']().positional
     arguments = {entity.positional[0]: entity.named for entity in entities if entity.positional}
-    assert set(arguments) == {'arm', 'scene', 'signal', 'seed'}
+    assert set(arguments) == {'arm', 'scene', 'signal', 'seed', 'only'}
     assert arguments['arm']['choices'] == ['sim']
     assert arguments['scene']['default_value'] == 'four_waypoints'
 
 
-def test_launched_nodes_are_those_of_the_graph(launch_file):
-    context = {'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3'}
+@pytest.mark.parametrize('only', [NAMES, ('tracker', 'planner')])
+def test_launched_nodes_are_those_of_the_graph(launch_file, only):
+    context = {
+        'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3',
+        'only': ','.join(reversed(only)),
+    }  # fmt: skip
     launched = launch_file['launch_nodes'](context)
     directory = Path(launched[0].named['parameters'][0]).parent
-    expected = describe(load(Choices(signal='global', seed=3)), directory)
+    whole = describe(load(Choices(signal='global', seed=3)), directory)
+    expected = [node for node in whole if node.name in only]
     assert [
         (n.named['name'], n.named['package'], n.named['executable']) for n in launched
     ] == [(n.name, n.package, n.executable) for n in expected]
