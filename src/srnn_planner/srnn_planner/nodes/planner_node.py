@@ -11,7 +11,7 @@ from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health, HealthLevel
-from srnn_msgs_py.result import SegmentResult
+from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import (
     dissonance,
     executed,
@@ -34,6 +34,12 @@ from srnn_planner.core.planner import SegmentPlanner
 from srnn_planner.core.sequencer import Sequencer
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.task import WaypointTask
+
+BLIND_S = 1.0
+"""Without a pose for this long it is not known where the arm is [s]."""
+
+STALE_IN_A_ROW = 3
+"""An interruption of the link makes a segment or two too old, a wrong clock makes all."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +78,8 @@ class PlannerNode(WorkspaceNode):
         )
         self._planning_times = Durations()
         self._weights_version = 0
+        self._pose_time = 0.0
+        self._stale_in_a_row = 0
         self._segment = self.advertise('segment')
         self._markers = self.advertise('markers')
         self.listen('current_pose', pose.from_msg, self._on_pose)
@@ -96,6 +104,10 @@ class PlannerNode(WorkspaceNode):
     def on_tick(self) -> None:
         """Plan and publish the segment that is due."""
         began = time.monotonic()
+        if began - self._pose_time > BLIND_S:
+            # A segment from where the arm was would be refused, and the next one be late.
+            self._sequencer.forget_motion()
+            return
         request = self._sequencer.request(began)
         if request is None:
             return
@@ -126,10 +138,19 @@ class PlannerNode(WorkspaceNode):
             'segment_stamp_ns': self._last_stamp,
             'weights_version': self._weights_version,
         }
-        level = HealthLevel.WARN if counters['invalid_plans'] else HealthLevel.OK
-        return Health(level, '', values)
+        trouble = self._trouble()
+        level = HealthLevel.WARN if trouble or counters['invalid_plans'] else HealthLevel.OK
+        return Health(level, trouble, values)
+
+    def _trouble(self) -> str:
+        if time.monotonic() - self._pose_time > BLIND_S:
+            return 'no pose of the arm: nothing is planned'
+        if self._stale_in_a_row >= STALE_IN_A_ROW:
+            return 'segments are refused as too old: do the clocks of all hosts agree?'
+        return ''
 
     def _on_pose(self, tip: TipPosition) -> None:
+        self._pose_time = time.monotonic()
         self._sequencer.tip(tip.position[: self._dimensions])
 
     def _on_executed(self, path: ExecutedPath) -> None:
@@ -137,6 +158,8 @@ class PlannerNode(WorkspaceNode):
             self._show_waypoints()
 
     def _on_result(self, ended: SegmentResult) -> None:
+        stale = ended.code is ResultCode.STALE
+        self._stale_in_a_row = self._stale_in_a_row + 1 if stale else 0
         self._sequencer.result(ended, time.monotonic())
 
     def _on_dissonance(self, lesson: Dissonance) -> None:
