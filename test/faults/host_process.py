@@ -60,6 +60,12 @@ class HostProcess:
             assert time.monotonic() < end, f'waited in vain; {self.text[-3000:]}'
             time.sleep(0.02)
 
+    def wait(self, seconds: float) -> int:
+        """Wait until the process has ended by itself; return its exit code."""
+        code = self.process.wait(seconds)
+        self._reader.join(seconds)
+        return code
+
     def end(self, number: signal.Signals = signal.SIGINT) -> int:
         """End the process, by force if it takes too long; return its exit code."""
         if self.process.poll() is None:
@@ -69,8 +75,7 @@ class HostProcess:
         except subprocess.TimeoutExpired:
             self.process.kill()
             self.process.wait(STOP_S)
-        self._reader.join(STOP_S)
-        return self.process.returncode
+        return self.wait(STOP_S)
 
     def _read(self) -> None:
         assert self.process.stdout is not None
