@@ -60,6 +60,13 @@ class HostProcess:
             assert time.monotonic() < end, f'waited in vain; {self.text[-3000:]}'
             time.sleep(0.02)
 
+    def child(self, words: str) -> int:
+        """Return the id of the child with `words` in its command line."""
+        pid = self.process.pid
+        children = Path(f'/proc/{pid}/task/{pid}/children').read_text().split()
+        (found,) = (c for c in children if words in Path(f'/proc/{c}/cmdline').read_text())
+        return int(found)
+
     def wait(self, seconds: float) -> int:
         """Wait until the process has ended by itself; return its exit code."""
         code = self.process.wait(seconds)

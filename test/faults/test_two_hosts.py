@@ -171,19 +171,9 @@ def test_nodes_that_die_while_the_link_is_cut_are_found_when_it_is_back(graph, l
     for _ in range(ledger.repeats):
         with ledger.injection(6, 'tracker and planner killed while the link is cut'):
             graph.hosts.cut()
-            for process, name in ((graph.arm, 'tracker'), (graph.brain, 'planner')):
-                os.kill(pids(process)[name], signal.SIGKILL)
+            for process, module in ((graph.arm, 'tracker_node'), (graph.brain, 'planner_node')):
+                os.kill(process.child(module), signal.SIGKILL)
             time.sleep(10.0)
             back = time.monotonic()
             graph.hosts.mend()
             goes_on(graph, back)
-
-
-def pids(process: HostProcess) -> dict[str, int]:
-    """Return the children of a process by the name of their node."""
-    found = {}
-    for pid in Path(f'/proc/{process.process.pid}/task/{process.process.pid}/children').read_text().split():
-        module = re.search(r'(\w+)_node\0', Path(f'/proc/{pid}/cmdline').read_text())
-        if module:
-            found[module[1]] = int(pid)
-    return found
