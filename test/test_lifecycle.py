@@ -13,10 +13,12 @@ from std_srvs.srv import Trigger
 from lwr_description import JOINT_NAMES
 from srnn_bringup.config import Choices, load
 from srnn_bringup.graph import NAMES
+from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.live_graph import LiveGraph
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.ros import commands, joints, pose, waypoints
 from srnn_msgs_py.ros.message_type import message_type
+from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.tip import TipPosition
 from srnn_msgs_py.topics import TOPICS, topic
 from srnn_msgs_py.waypoints import Waypoints
@@ -68,7 +70,8 @@ def test_unconfigured_and_inactive_nodes_publish_nothing_but_their_health():
 
         graph.configure()
         senders = {
-            name: graph.node.create_publisher(type(message), name, 10) for name, message in pokes()
+            name: graph.node.create_publisher(type(message), name, profile(topic(name).qos))
+            for name, message in pokes()
         }
         revert = graph.node.create_client(Trigger, 'adapter/revert')
         matched = [*(lambda p=p: p.get_subscription_count() >= 2 for p in senders.values())]
@@ -84,3 +87,17 @@ def test_unconfigured_and_inactive_nodes_publish_nothing_but_their_health():
         assert nodes >= {(name, 'inactive') for name in NAMES}
         del heard['/diagnostics']
         assert heard == Counter(dict.fromkeys(senders, 3))
+
+
+def test_a_paused_graph_is_shut_down_in_order(monkeypatch):
+    asked = []
+    with StopRequest() as stop, LiveGraph(load(Choices()), stop, lambda _: None) as graph:
+        graph.configure()
+        graph.activate()
+        for client in reversed(graph._clients[1:]):
+            client.change('deactivate', graph.pump, PATIENCE_S)
+        graph.pump.until(lambda: False, 0.5)
+        monkeypatch.setattr(
+            LifecycleClient, 'change', lambda client, name, *_: asked.append((client.name, name))
+        )
+    assert asked == [('sim_bridge', 'deactivate')]

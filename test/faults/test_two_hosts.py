@@ -17,6 +17,7 @@ import pytest
 from two_hosts import Host, two_hosts, why_not
 
 from srnn_bringup.environment import graph_environment
+from srnn_planner.nodes.planner_node import BLIND_S
 
 ROOT = Path(__file__).parents[2]
 START_S = 120.0
@@ -129,7 +130,9 @@ def cut(graph, seconds: float, entry) -> float:
     goes_on(graph, back)
     times, places = tips(graph.at_arm)
     meanwhile = places[(times > began) & (times <= back)]
-    planned = [s for s in graph.at_brain.heard('segment') if s['t'] <= began]
+    segments = graph.at_brain.heard('segment')
+    assert not [s for s in segments if began + BLIND_S + 0.5 < s['t'] < back], 'planned blindly'
+    planned = [s for s in segments if s['t'] <= began]
     entry.deviation_mm = 1e3 * off(meanwhile, planned[-3:])
     entry.speed = speed(times[times > began], places[times > began])
     assert entry.deviation_mm <= 5.0
