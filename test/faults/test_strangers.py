@@ -82,3 +82,24 @@ def test_a_stranger_sees_nothing_and_moves_nothing(hosts, tmp_path):
             with shouter(hosts.arm, start, near):
                 at_arm.until(lambda: at_arm.heard('segment_result'), PATIENCE_S)
                 at_arm.until(lambda: np.linalg.norm(tip(at_arm) - start) > 0.03, PATIENCE_S)
+
+
+def test_a_graph_that_names_one_host_is_open_to_those_that_name_it_and_to_no_other(
+    hosts, tmp_path
+):
+    up = (*CLI, 'up', '--only', 'sim_bridge,tracker', '--peer', '10.77.0.3')
+    quiet = {DISCOVERY_RANGE: 'SUBNET', PROFILES: ''}
+    with (
+        HostProcess(hosts.arm, up, {'TMPDIR': str(tmp_path)}) as arm,
+        Tap(hosts.brain, quiet) as unnamed,
+    ):
+        arm.wait_for('Ctrl-C stops the graph', START_S)
+        with Tap(hosts.brain, {**quiet, 'ROS_STATIC_PEERS': hosts.arm.ipv4}) as naming:
+            naming.until(lambda: naming.heard('current_pose'), PATIENCE_S)
+            heard = len(naming.heard('current_pose'))
+            later = heard + round(50 * LISTEN_S)
+            naming.until(lambda: len(naming.heard('current_pose')) > later, START_S)
+        assert not unnamed.heard('current_pose')
+        assert not {'sim_bridge', 'tracker'} & {
+            name for change in unnamed.heard('') for name in change['nodes']
+        }

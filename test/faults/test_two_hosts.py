@@ -145,9 +145,19 @@ def cut(graph, seconds: float, entry) -> float:
     return float(times[(times > back) & moved][0] - back)
 
 
+def traffic(graph) -> str:
+    """Return what both hosts send, in words."""
+    hosts = (graph.hosts.arm, graph.hosts.brain)
+    before = np.array([host.sent() for host in hosts])
+    time.sleep(5.0)
+    packets, size = (np.array([host.sent() for host in hosts]) - before).sum(axis=0) / 5.0
+    return f'{packets:.0f} packets/s, {8e-6 * size:.1f} Mbit/s'
+
+
 def test_arm_comes_to_rest_on_its_path_when_the_link_is_cut_and_goes_on_when_it_is_back(
     graph, ledger
 ):
+    print(f'{traffic(graph)} on the wire')
     for _ in range(ledger.repeats):
         with ledger.injection(6, f'link cut for {SHORT_CUT_S:g} s') as entry:
             print(f'goes on {cut(graph, SHORT_CUT_S, entry):.2f} s after the link is back')

@@ -47,6 +47,13 @@ class Host:
         """Start a process on this host; its id is that of the program itself."""
         return subprocess.Popen(self.command(arguments), text=True, **options)
 
+    def sent(self) -> tuple[int, int]:
+        """Return how many packets and bytes have left this host."""
+        done = _do(self.command(['cat', '/proc/net/dev']))
+        (row,) = (line for line in done.splitlines() if line.strip().startswith(INTERFACE))
+        columns = row.partition(':')[2].split()
+        return int(columns[9]), int(columns[8])
+
     def ip(self, *arguments: str) -> None:
         """Run `ip` on this host."""
         _do(self.command(['ip', *arguments]))
@@ -136,6 +143,7 @@ def _holder(table: Path) -> Iterator[int]:
         process.stdout.close()
 
 
-def _do(command: Sequence[str]) -> None:
+def _do(command: Sequence[str]) -> str:
     done = subprocess.run(command, capture_output=True, text=True, timeout=STEP_S)
     assert done.returncode == 0, f'{" ".join(command)}: {done.stderr}'
+    return done.stdout
