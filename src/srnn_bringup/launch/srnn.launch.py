@@ -10,7 +10,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import LifecycleNode
 
 from srnn_bringup.config import STANDARD_SCENE, Choices, load
-from srnn_bringup.graph import access, describe, write_parameters
+from srnn_bringup.graph import NAMES, access, describe, part, write_parameters
 from srnn_planner.core.dissonance import SIGNALS
 
 RESPAWN_S = 1.0
@@ -22,6 +22,7 @@ ARGUMENTS = {
     'signal': ('', ['', *SIGNALS], 'learning signal; empty for the one of network.yaml'),
     'seed': ('0', None, 'seed of all random numbers'),
     'key': ('', None, 'file with the key that the nodes share; empty for none'),
+    'only': (','.join(NAMES), None, 'nodes to start'),
 }
 """Default, choices and meaning of every argument."""
 
@@ -44,6 +45,7 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
         seed=int(given['seed']),
         key_file=Path(given['key']) if given['key'] else None,
     )
+    only = part(given['only'])
     configuration = load(choices)
     # The directory outlives this function: the nodes read its files when they start.
     directory = Path(tempfile.mkdtemp(prefix='srnn_'))
@@ -61,4 +63,5 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
             respawn_delay=RESPAWN_S,
         )
         for node in nodes
+        if node.name in only
     ]

@@ -16,11 +16,13 @@ from srnn_bringup.experiment_options import add_experiments
 from srnn_bringup.key_command import add_key, add_key_actions
 from srnn_bringup.keystore_command import add_keystore_actions
 from srnn_bringup.options import (
+    add_keystore,
     add_learning,
     add_network,
+    add_part,
+    add_peers,
     add_scene,
     add_seed,
-    existing_directory,
     new_file,
     picture_file,
     whole,
@@ -35,9 +37,9 @@ SEGMENTS = 150
 SEGMENTS_MAX = 100_000
 
 _ENVIRONMENT = """\
-The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless
-ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. SRNN_REALTIME_PRIORITY sets the priority of
-the nodes that move the arm, 0 for none.
+The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless other hosts
+are named or ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. SRNN_REALTIME_PRIORITY sets the
+priority of the nodes that move the arm, 0 for none.
 """
 
 
@@ -74,6 +76,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         for name, text in (
             ('demo', 'Learn an obstacle live on the simulated arm, and report.'),
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
+            ('pause', 'Bring the arm of a running graph to rest, and have it stay there.'),
+            ('resume', 'Have a paused graph go on.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
             ('key', 'Make the key by which the nodes know each other.'),
             ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
@@ -82,7 +86,14 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     }  # fmt: skip
     _add_demo(commands['demo'])
     _add_graph(commands['up'])
+    add_part(commands['up'])
     commands['up'].set_defaults(run=_up)
+    for name, run in (('pause', _pause), ('resume', _resume)):
+        commands[name].set_defaults(run=run)
+    for name in ('up', 'pause', 'resume'):
+        add_peers(commands[name])
+    for name in ('demo', 'up', 'pause', 'resume'):
+        add_keystore(commands[name])
     commands['doctor'].set_defaults(run=_doctor)
     for command, metavar, add in (
         ('experiment', 'EXPERIMENT', add_experiments),
@@ -111,10 +122,6 @@ def _add_graph(parser: Parser) -> None:
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
     )  # fmt: skip
-    parser.add_argument(
-        '--secure', type=existing_directory, metavar='KEYSTORE',
-        help='keystore of DDS security: nobody takes part without a key, or beyond its rights',
-    )
 
 
 def _add_demo(parser: Parser) -> None:
@@ -166,7 +173,21 @@ def _up(options: argparse.Namespace) -> int:
     configuration = _configuration(options)
     from srnn_bringup.up import run_up
 
-    return run_up(configuration)
+    return run_up(configuration, options.only, options.peer)
+
+
+def _pause(options: argparse.Namespace) -> int:
+    check_environment(os.environ)
+    from srnn_bringup.pausing import run_pause
+
+    return run_pause(options.peer, options.secure)
+
+
+def _resume(options: argparse.Namespace) -> int:
+    check_environment(os.environ)
+    from srnn_bringup.pausing import run_resume
+
+    return run_resume(options.peer, options.secure)
 
 
 def _doctor(_: argparse.Namespace) -> int:

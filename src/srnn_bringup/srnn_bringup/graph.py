@@ -3,12 +3,14 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+import difflib
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from srnn_bringup.config import Configuration
+from srnn_bringup.errors import ChoiceError
 from srnn_config import to_mapping
 
 
@@ -31,6 +33,9 @@ class NodeDescription:
     module: str
     parameters: Mapping[str, Any]
 
+
+NAMES = ('sim_bridge', 'tracker', 'adapter', 'planner')
+"""Names of the nodes in the order in which they are brought up."""
 
 CHECKPOINT = 'checkpoint.npz'
 """Name of the file from which a restarted adapter goes on."""
@@ -85,6 +90,22 @@ def describe(
 def access(configuration: Configuration) -> dict[str, str]:
     """Return the parameters by which every node knows whom to believe."""
     return {'key_file': _text(configuration.key_file)}
+
+
+def part(text: str) -> tuple[str, ...]:
+    """Return the names in a list with commas, in the order in which they are brought up.
+
+    Raises:
+        ChoiceError: a name is of no node; the message lists those there are.
+
+    """
+    chosen = [name.strip() for name in text.split(',')]
+    for name in chosen:
+        if name not in NAMES:
+            near = difflib.get_close_matches(name, NAMES, n=1)
+            hint = f" (did you mean '{near[0]}'?)" if near else ''
+            raise ChoiceError(f'unknown node {name!r}{hint}; nodes: {", ".join(NAMES)}')
+    return tuple(name for name in NAMES if name in chosen)
 
 
 def write_parameters(

@@ -3,6 +3,7 @@
 
 from collections.abc import Callable
 import time
+from typing import Any
 
 from lifecycle_msgs.msg import State, Transition
 from lifecycle_msgs.srv import ChangeState, GetState
@@ -65,7 +66,8 @@ class LifecycleClient:
         answer = self._change.call_async(request)
         end = time.monotonic() + seconds
         while not pump.until(answer.done, min(ASK_AGAIN_S, end - time.monotonic())):
-            if self._state_is(goal, pump, end):
+            state = self._ask(pump, min(ASK_AGAIN_S, end - time.monotonic()))
+            if state is not None and state.id == goal:
                 self._change.remove_pending_request(answer)
                 return
             if time.monotonic() >= end:
@@ -76,13 +78,33 @@ class LifecycleClient:
             why = f': {reason}' if reason else '; it is in another state'
             raise TransitionError(f'{self.name} refuses to {transition}{why}')
 
+    def state(self, pump: Pump, seconds: float) -> str:
+        """Return the label of the state of the node, asking again where an answer is lost.
+
+        Args:
+            pump: handles events meanwhile.
+            seconds: longest wait [s].
+
+        Raises:
+            NotReadyError: the node is not there or does not answer in time.
+
+        """
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0.0:
+            if pump.until(self._ready, left):
+                state = self._ask(pump, min(ASK_AGAIN_S, left))
+                if state is not None:
+                    return str(state.label)
+        raise NotReadyError(f'{self.name} does not answer within {seconds:g} s')
+
     def _ready(self) -> bool:
         clients = (self._change, self._state)
         return all(client.service_is_ready() for client in clients)
 
-    def _state_is(self, goal: int, pump: Pump, end: float) -> bool:
+    def _ask(self, pump: Pump, seconds: float) -> Any:
+        """Return the state that the node says it is in, or None if it says nothing in time."""
         answer = self._state.call_async(GetState.Request())
-        if pump.until(answer.done, min(ASK_AGAIN_S, end - time.monotonic())):
-            return bool(answer.result().current_state.id == goal)
+        if pump.until(answer.done, seconds):
+            return answer.result().current_state
         self._state.remove_pending_request(answer)
-        return False
+        return None

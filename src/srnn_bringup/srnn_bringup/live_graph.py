@@ -13,12 +13,6 @@ import time
 from types import TracebackType
 from typing import Self
 
-import rclpy
-from rclpy.experimental import EventsExecutor
-from rclpy.impl.implementation_singleton import rclpy_implementation
-from rclpy.node import Node
-from rclpy.signals import SignalHandlerOptions
-
 from srnn_bringup.access import COMMAND
 from srnn_bringup.config import Configuration
 from srnn_bringup.environment import DOMAIN_ID, graph_environment, security_arguments
@@ -27,13 +21,13 @@ from srnn_bringup.errors import (
     ChoiceError,
     Interrupted,
     NodeDiedError,
-    SecurityError,
     TransitionError,
 )
-from srnn_bringup.graph import NodeDescription, access, describe, write_parameters
+from srnn_bringup.graph import NAMES, NodeDescription, access, describe, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
-from srnn_bringup.pump import Pump
 from srnn_bringup.restarts import Restarts
+from srnn_bringup.session import session
+from srnn_bringup.states import States
 from srnn_bringup.supervisor import Command, Death, Supervisor
 from srnn_node.signals import StopRequest
 
@@ -47,7 +41,7 @@ _ERROR_LINE = re.compile(r'^\[(?:ERROR|FATAL)\](?: \[[^]]*\])* ?:? ?(.*)$')
 
 
 class LiveGraph:
-    """All nodes as processes; as a context manager it takes down whatever it brought up.
+    """Nodes as processes; as a context manager it takes down whatever it brought up.
 
     Attributes:
         node: node of this process, for whoever wants to listen.
@@ -62,6 +56,7 @@ class LiveGraph:
         stop: StopRequest,
         say: Callable[[str], None],
         restarts: Restarts | None = None,
+        names: tuple[str, ...] = NAMES,
     ) -> None:
         """Start nothing yet.
 
@@ -71,6 +66,7 @@ class LiveGraph:
             say: told in words what happens.
             restarts: when to start active nodes anew that have died; None: the graph is
                 at its end then.
+            names: which nodes, in the order of their bring-up.
 
         """
         self._restarts = restarts
@@ -79,7 +75,7 @@ class LiveGraph:
         self._say = say
         self._stack = ExitStack()
         self._active: list[LifecycleClient] = []
-        self.names = tuple(description.name for description in describe(configuration))
+        self.names = names
 
     def __enter__(self) -> Self:
         with ExitStack() as stack:
@@ -133,18 +129,20 @@ class LiveGraph:
         """Start a node that has ended anew; it goes through its lifecycle by itself.
 
         Its services cannot be used for that: for a while a request may still go to the
-        process that has died.
+        process that has died. One that was paused stays inactive.
 
         Raises:
             NodeDiedError: it cannot be started.
 
         """
         description = self._descriptions[self.names.index(name)]
-        self._supervisor.start(self._command(description, autostart=True))
+        paused = name in self._states.paused
+        self._supervisor.start(self._command(description, autostart=True, paused=paused))
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
-        self._descriptions = describe(self._configuration, directory)
+        whole = describe(self._configuration, directory)
+        self._descriptions = tuple(node for node in whole if node.name in self.names)
         self._files = write_parameters(
             self._descriptions, directory, **access(self._configuration)
         )
@@ -153,40 +151,27 @@ class LiveGraph:
         self._supervisor = stack.enter_context(Supervisor(directory))
         for description in self._descriptions:
             self._supervisor.start(self._command(description))
-        self.node = self._enter(stack)
-        stack.callback(self.node.destroy_node)
-        executor = EventsExecutor()
-        stack.callback(executor.shutdown)
-        executor.add_node(self.node)
-        self.pump = Pump(executor, self._guard)
+        keystore = self._configuration.keystore
+        self.node, self.pump = stack.enter_context(session(COMMAND, self._guard, keystore))
+        self._states = States(self.node, self.names)
         self._clients = [
             LifecycleClient(self.node, name, partial(self._last_error, name))
             for name in self.names
         ]
 
-    def _enter(self, stack: ExitStack) -> Node:
+    def _command(
+        self, description: NodeDescription, autostart: bool = False, paused: bool = False
+    ) -> Command:
         keystore = self._configuration.keystore
-        os.environ.update(graph_environment(os.environ, keystore))
-        stack.callback(rclpy.try_shutdown)
-        try:
-            rclpy.init(
-                args=security_arguments(COMMAND, keystore),
-                signal_handler_options=SignalHandlerOptions.NO,
-            )
-            return Node(COMMAND, enable_rosout=False, start_parameter_services=False)
-        except rclpy_implementation.RCLError as error:
-            raise SecurityError(f'the middleware does not let {COMMAND} in: {error}') from error
-
-    def _command(self, description: NodeDescription, autostart: bool = False) -> Command:
-        keystore = self._configuration.keystore
-        return command(description, self._files[description.name], autostart, keystore)
+        return command(description, self._files[description.name], keystore, autostart, paused)
 
     def _deactivate(self) -> None:
         pump = self.pump.unguarded()
         for client in reversed(self._active):
             # Whatever goes wrong here, the process is stopped next.
             with suppress(BringupError):
-                if self._supervisor.alive(client.name):
+                alive = self._supervisor.alive(client.name)
+                if alive and client.name not in self._states.paused:
                     client.change('deactivate', pump, DEACTIVATE_S)
         self._active.clear()
 
@@ -214,13 +199,14 @@ class LiveGraph:
 def command(
     description: NodeDescription,
     parameters: Path,
-    autostart: bool = False,
     keystore: Path | None = None,
+    autostart: bool = False,
+    paused: bool = False,
 ) -> Command:
     """Return the process of a node with its parameter file, in its enclave of a keystore."""
     arguments: tuple[str, ...] = ('--ros-args', '--params-file', str(parameters))
     if autostart:
-        arguments += ('-p', 'autostart:=true')
+        arguments += ('-p', 'autostart:=true', '-p', f'paused:={str(paused).lower()}')
     enclave = security_arguments(description.name, keystore)
     return Command(
         description.name,

@@ -5,11 +5,17 @@ import argparse
 from collections.abc import Callable
 import math
 from pathlib import Path
+from typing import TypeVar
 
 from srnn_bringup.config import NETWORK, SEED_MAX, STANDARD_SCENE
+from srnn_bringup.errors import ChoiceError
+from srnn_bringup.graph import NAMES, part
+from srnn_bringup.peers import find_peer
 from srnn_planner.core.dissonance import SIGNALS
 
 PICTURE_FORMATS = ('.png', '.pdf', '.svg')
+
+V = TypeVar('V')
 
 
 def add_scene(parser: argparse.ArgumentParser) -> None:
@@ -47,6 +53,42 @@ def add_seed(parser: argparse.ArgumentParser, text: str) -> None:
         '--seed', type=whole(0, SEED_MAX), default=0, metavar='S',
         help=f'{text} (default: %(default)s)',
     )
+
+
+def add_keystore(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of DDS security."""
+    parser.add_argument(
+        '--secure', type=existing_directory, metavar='KEYSTORE',
+        help='keystore of DDS security: nobody takes part without a key, or beyond its rights',
+    )
+
+
+def add_peers(parser: argparse.ArgumentParser) -> None:
+    """Add the names of other hosts."""
+    parser.add_argument(
+        '--peer', type=_checked(find_peer), action='append', default=[], metavar='ADDRESS',
+        help='another host with a part of the graph: IPv4 or IPv6 address, or name; repeatable',
+    )
+
+
+def add_part(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of a part of the graph."""
+    parser.add_argument(
+        '--only', type=_checked(part), default=NAMES, metavar='NODE[,NODE...]',
+        help=f'nodes to start on this host: {", ".join(NAMES)} (default: all)',
+    )
+
+
+def _checked(read: Callable[[str], V]) -> Callable[[str], V]:
+    """Return a reader whose errors argparse shows as they are."""
+
+    def reader(text: str) -> V:
+        try:
+            return read(text)
+        except ChoiceError as error:
+            raise argparse.ArgumentTypeError(str(error)) from error
+
+    return reader
 
 
 def whole(minimum: int, maximum: int) -> Callable[[str], int]:

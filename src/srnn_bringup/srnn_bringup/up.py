@@ -1,27 +1,38 @@
 # SPDX-License-Identifier: Apache-2.0
 """`srnn up`: the graph, until the user has had enough."""
 
+from collections.abc import Sequence
 import sys
 
 from srnn_bringup.config import Configuration
 from srnn_bringup.console import Console
 from srnn_bringup.errors import BringupError, Interrupted
+from srnn_bringup.graph import NAMES
 from srnn_bringup.live_graph import LiveGraph
+from srnn_bringup.peer_profile import talking_to
+from srnn_bringup.peers import Peer
 from srnn_bringup.restarts import Restarts
 from srnn_node.signals import StopRequest
 
 
-def run_up(configuration: Configuration) -> int:
+def run_up(
+    configuration: Configuration, names: tuple[str, ...] = NAMES, peers: Sequence[Peer] = ()
+) -> int:
     """Start the graph and keep it up until a signal comes; a node that dies is started anew.
+
+    Args:
+        configuration: what the nodes are told.
+        names: which nodes, in the order of their bring-up.
+        peers: other hosts, where the rest of the graph runs.
 
     Returns:
         Exit code: 0 when stopped by the user, 1 after a failure.
 
     """
     console = Console(sys.stdout)
-    with StopRequest() as stop:
+    with talking_to(peers), StopRequest() as stop:
         try:
-            with LiveGraph(configuration, stop, console.note, Restarts()) as graph:
+            with LiveGraph(configuration, stop, console.note, Restarts(), names) as graph:
                 graph.configure()
                 graph.activate()
                 processes = ', '.join(f'{name} ({pid})' for name, pid in graph.pids.items())

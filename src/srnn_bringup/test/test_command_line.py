@@ -3,14 +3,14 @@ import pytest
 
 from srnn_access import key_file
 from srnn_bringup import cli
-from srnn_bringup.graph import access
+from srnn_bringup.graph import NAMES, access
 from srnn_bringup.report import Outputs
 
 
 @pytest.mark.parametrize(
     ('line', 'words'),
     [
-        ('dmo', "'demo', 'up', 'doctor'"),
+        ('dmo', "'demo', 'up', 'pause', 'resume', 'doctor'"),
         ('demo --key /nowhere.key', 'key file /nowhere.key: there is no such file'),
         ('up --key /', 'key file /: must be a regular file'),
         ('up --ky /nowhere.key', "did you mean '--key'?"),
@@ -36,11 +36,17 @@ from srnn_bringup.report import Outputs
         ('demo --arm fri', "'sim'"),
         ('demo now', "unknown argument 'now'"),
         ('up --segments 3', "unknown argument '--segments'"),
+        ('up --only planer', "did you mean 'planner'?"),
+        ('up --only planner,', "unknown node ''; nodes: sim_bridge, tracker, adapter, planner"),
+        ('up --peer 300.1.2.3', 'must be an IPv4 or IPv6 address, or the name of a host'),
+        ('pause --peer 127.0.0.1', 'is this host itself'),
+        ('resume --only planner', "unknown argument '--only'"),
         ('doctor --all', "unknown argument '--all'"),
     ],
 )
 def test_mistakes_get_one_line_that_helps_and_exit_code_2(line, words, capsys, monkeypatch):
     monkeypatch.setattr('srnn_bringup.demo.run_demo', not_reached)
+    monkeypatch.setattr('srnn_bringup.up.run_up', not_reached)
     try:
         code = cli.main(line.split())
     except SystemExit as end:
@@ -70,7 +76,9 @@ def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):
     assert "did you mean 'velocity'?" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize('command', [[], ['demo'], ['up'], ['doctor'], ['key', 'create']])
+@pytest.mark.parametrize(
+    'command', [[], ['demo'], ['up'], ['pause'], ['resume'], ['doctor'], ['key', 'create']]
+)
 def test_help_explains_every_option(command, capsys):
     with pytest.raises(SystemExit) as end:
         cli.main([*command, '--help'])
@@ -100,7 +108,7 @@ def test_a_key_is_made_once_and_reaches_the_graph(tmp_path, monkeypatch, capsys)
     assert cli.main(['key', 'create', str(path)]) == 2
     assert 'never overwritten' in capsys.readouterr().err
     configurations = []
-    monkeypatch.setattr('srnn_bringup.up.run_up', lambda c: configurations.append(c) or 0)
+    monkeypatch.setattr('srnn_bringup.up.run_up', lambda c, *_: configurations.append(c) or 0)
     monkeypatch.chdir(tmp_path)
     assert cli.main(['up', '--key', 'graph.key']) == 0
     assert cli.main(['up']) == 0
@@ -112,7 +120,14 @@ def test_a_key_is_made_once_and_reaches_the_graph(tmp_path, monkeypatch, capsys)
     assert 'others than its owner may use it' in capsys.readouterr().err
 
 
+def test_a_part_of_the_graph_starts_in_the_usual_order(monkeypatch):
+    calls = []
+    monkeypatch.setattr('srnn_bringup.up.run_up', lambda *arguments: calls.append(arguments) or 0)
+    assert cli.main(['up']) == cli.main(['up', '--only', 'planner, tracker']) == 0
+    assert [call[1:] for call in calls] == [(NAMES, []), (('tracker', 'planner'), [])]
+
+
 def test_exit_code_of_the_command_is_handed_on(monkeypatch):
-    monkeypatch.setattr('srnn_bringup.up.run_up', lambda configuration: 1)
+    monkeypatch.setattr('srnn_bringup.up.run_up', lambda *arguments: 1)
     assert cli.main(['up']) == 1
 

@@ -6,7 +6,7 @@ import pytest
 import yaml
 
 from srnn_bringup.config import Choices, load
-from srnn_bringup.graph import describe, write_parameters
+from srnn_bringup.graph import NAMES, describe, write_parameters
 from srnn_config import build, to_mapping
 from srnn_msgs_py.topics import NODES
 from srnn_node.lifecycle import WorkspaceNode
@@ -18,6 +18,7 @@ def nodes():
 
 
 def test_the_arm_comes_up_first_and_the_planner_last(nodes):
+    assert tuple(nodes) == NAMES
     assert set(nodes) == set(NODES)
     first, *_, last = nodes
     assert (first, last) == ('sim_bridge', 'planner')

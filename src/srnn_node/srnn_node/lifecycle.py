@@ -34,6 +34,12 @@ SUCCESS = TransitionCallbackReturn.SUCCESS
 FAILURE = TransitionCallbackReturn.FAILURE
 ERROR = TransitionCallbackReturn.ERROR
 
+STARTING = {
+    'autostart': 'Configure and activate without being asked.',
+    'paused': 'With autostart: configure, and wait to be activated.',
+}
+"""Parameters of every node, off unless set."""
+
 V = TypeVar('V')
 
 
@@ -66,8 +72,8 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         self.failure = ''
         self.refused_messages = 0
         self._active = False
-        text = 'Configure and activate without being asked.'
-        self.declare_parameter('autostart', False, ParameterDescriptor(description=text))
+        for parameter, text in STARTING.items():
+            self.declare_parameter(parameter, False, ParameterDescriptor(description=text))
         declare_key_file(self)
         self._access = Access(self)
         self._reporter = HealthReporter(self, self._health)

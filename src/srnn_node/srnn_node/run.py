@@ -99,7 +99,8 @@ def _create(node_class: Any, command_line: list[str]) -> WorkspaceNode:
 
 
 def _start(node: WorkspaceNode) -> None:
-    for trigger in (node.trigger_configure, node.trigger_activate):
+    paused = node.get_parameter('paused').value
+    for trigger in (node.trigger_configure, *(() if paused else (node.trigger_activate,))):
         if trigger() != TransitionCallbackReturn.SUCCESS:
             raise NodeError(node.failure)
 

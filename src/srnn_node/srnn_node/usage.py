@@ -2,7 +2,7 @@
 """What ``--help`` prints for a node."""
 
 from srnn_node.access import MEANING, PARAMETER
-from srnn_node.lifecycle import WorkspaceNode
+from srnn_node.lifecycle import STARTING, WorkspaceNode
 from srnn_node.parameters import leaves
 
 
@@ -14,7 +14,7 @@ def usage(node_class: type[WorkspaceNode]) -> str:
         'usage: --ros-args [-p NAME:=VALUE]... [--params-file FILE] [-r FROM:=TO]...',
         '',
         'parameters:',
-        '  autostart: Configure and activate without being asked.',
+        *(f'  {name}: {text}' for name, text in STARTING.items()),
         f'  {PARAMETER}: {MEANING}',
     ]
     for leaf in leaves(node_class.PARAMETERS):

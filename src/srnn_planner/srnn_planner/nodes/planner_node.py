@@ -12,7 +12,7 @@ from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health, HealthLevel
-from srnn_msgs_py.result import SegmentResult
+from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import (
     dissonance,
     executed,
@@ -37,6 +37,12 @@ from srnn_planner.core.sequencer import Sequencer
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.task import WaypointTask
 from srnn_planner.core.watched_planner import WatchedPlanner
+
+BLIND_S = 1.0
+"""Without a pose for this long it is not known where the arm is [s]."""
+
+STALE_IN_A_ROW = 3
+"""An interruption of the link makes a segment or two too old, a wrong clock makes all."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +82,8 @@ class PlannerNode(WorkspaceNode):
             self._workspace, parameters.planning, scene.task.velocity,
         )
         self._planning_times = Durations()
+        self._pose_time = 0.0
+        self._stale_in_a_row = 0
         self._segment = self.advertise('segment')
         self._refused = self.advertise('weights_refused')
         self._markers = self.advertise('markers')
@@ -103,6 +111,10 @@ class PlannerNode(WorkspaceNode):
     def on_tick(self) -> None:
         """Plan and publish the segment that is due."""
         began = time.monotonic()
+        if began - self._pose_time > BLIND_S:
+            # A segment from where the arm was would be refused, and the next one be late.
+            self._sequencer.forget_motion()
+            return
         request = self._sequencer.request(began)
         if request is None:
             return
@@ -136,9 +148,10 @@ class PlannerNode(WorkspaceNode):
             'weights_version': self._watch.in_use.version,
             'weights_refused': self._watch.refusals,
         }
-        level = HealthLevel.WARN if counters['invalid_plans'] else HealthLevel.OK
+        doubtful = self._doubts()
+        level = HealthLevel.WARN if doubtful or counters['invalid_plans'] else HealthLevel.OK
         trouble = self._watch.trouble
-        return Health(HealthLevel.ERROR if trouble else level, trouble, values)
+        return Health(HealthLevel.ERROR if trouble else level, trouble or doubtful, values)
 
     def _tell(self) -> None:
         """Tell of weights that are dead: the adapter at once, everybody else once."""
@@ -151,7 +164,15 @@ class PlannerNode(WorkspaceNode):
             self.report_health()
         self._told = trouble
 
+    def _doubts(self) -> str:
+        if time.monotonic() - self._pose_time > BLIND_S:
+            return 'no pose of the arm: nothing is planned'
+        if self._stale_in_a_row >= STALE_IN_A_ROW:
+            return 'segments are refused as too old: do the clocks of all hosts agree?'
+        return ''
+
     def _on_pose(self, tip: TipPosition) -> None:
+        self._pose_time = time.monotonic()
         self._sequencer.tip(tip.position[: self._dimensions])
 
     def _on_executed(self, path: ExecutedPath) -> None:
@@ -163,6 +184,8 @@ class PlannerNode(WorkspaceNode):
             self._show_waypoints()
 
     def _on_result(self, ended: SegmentResult) -> None:
+        stale = ended.code is ResultCode.STALE
+        self._stale_in_a_row = self._stale_in_a_row + 1 if stale else 0
         self._sequencer.result(ended, time.monotonic())
 
     def _on_dissonance(self, lesson: Dissonance) -> None:

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`srnn pause` and `srnn resume`: a running graph, whoever has started it."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+import os
+from pathlib import Path
+import signal
+import sys
+
+from srnn_bringup.console import Console
+from srnn_bringup.environment import DOMAIN_ID
+from srnn_bringup.errors import BringupError, ChoiceError, Interrupted, TransitionError
+from srnn_bringup.graph import NAMES
+from srnn_bringup.lifecycle_client import LifecycleClient
+from srnn_bringup.live_graph import ACTIVATE_S, DEACTIVATE_S
+from srnn_bringup.peer_profile import talking_to
+from srnn_bringup.peers import Peer
+from srnn_bringup.pump import Pump
+from srnn_bringup.session import session
+from srnn_bringup.standstill import Standstill
+from srnn_node.signals import StopRequest
+
+ARM = 'sim_bridge'
+"""Stays active in a pause: it holds the pose of the arm."""
+
+LOOK_S = 4.0
+"""A node that is not seen by then does not run in this domain [s]."""
+
+ANSWER_S = 8.0
+REST_S = 10.0
+"""No segment takes longer than this to execute [s]."""
+
+FAILED = 1
+
+
+class RunningGraph:
+    """The nodes that run in this domain.
+
+    Attributes:
+        clients: one for each of them, in the order of their bring-up.
+
+    """
+
+    def __init__(
+        self, clients: Sequence[LifecycleClient], pump: Pump, standstill: Standstill
+    ) -> None:
+        """Take what was found."""
+        self.clients = clients
+        self._pump = pump
+        self._standstill = standstill
+
+    def pause(self, say: Callable[[str], None]) -> None:
+        """Deactivate the planner, wait until the arm rests, deactivate adapter and tracker.
+
+        Raises:
+            BringupError: a node did not do its part; the others have.
+
+        """
+        problems = []
+        for client in reversed(self.clients):
+            try:
+                self._pause(client, say)
+            except Interrupted:
+                raise
+            except BringupError as problem:
+                problems.append(problem)
+        if problems:
+            raise problems[0]
+
+    def resume(self, say: Callable[[str], None]) -> None:
+        """Activate what is inactive, the arm first and the planner last.
+
+        Raises:
+            BringupError: a node did not do its part; those after it were left as they are.
+
+        """
+        for client in self.clients:
+            state = client.state(self._pump, ANSWER_S)
+            if state == 'active':
+                say(f'{client.name} is active already')
+            elif state == 'inactive':
+                client.change('activate', self._pump, ACTIVATE_S)
+                say(f'{client.name} resumed')
+            else:
+                raise TransitionError(f'{client.name} is {state}: it has nothing to resume')
+
+    def _pause(self, client: LifecycleClient, say: Callable[[str], None]) -> None:
+        if client.name == ARM:
+            return
+        state = client.state(self._pump, ANSWER_S)
+        if state != 'active':
+            say(f'{client.name} is {state} already')
+            return
+        client.change('deactivate', self._pump, DEACTIVATE_S)
+        say(f'{client.name} paused')
+        if client.name == 'planner' and any(c.name == 'tracker' for c in self.clients):
+            # So that the adapter still hears how the last segment ended.
+            self._pump.until(self._standstill, REST_S)
+
+
+def run_pause(peers: Sequence[Peer], keystore: Path | None) -> int:
+    """Pause the graph of this domain; return the exit code."""
+    return _run('pause', RunningGraph.pause, peers, keystore)
+
+
+def run_resume(peers: Sequence[Peer], keystore: Path | None) -> int:
+    """Resume the graph of this domain; return the exit code."""
+    return _run('resume', RunningGraph.resume, peers, keystore)
+
+
+def _run(
+    command: str,
+    action: Callable[[RunningGraph, Callable[[str], None]], None],
+    peers: Sequence[Peer],
+    keystore: Path | None,
+) -> int:
+    with talking_to(peers), StopRequest() as stop:
+        try:
+            with running_graph(f'srnn_{command}', stop, keystore) as graph:
+                action(graph, Console(sys.stdout).note)
+            return 0
+        except Interrupted as wish:
+            return 128 + signal.Signals[str(wish)]
+        except BringupError as error:
+            print(f'srnn {command}: {error}', file=sys.stderr, flush=True)
+            return FAILED
+
+
+@contextmanager
+def running_graph(
+    name: str, stop: StopRequest, keystore: Path | None = None
+) -> Iterator[RunningGraph]:
+    """Find the nodes that run in this domain.
+
+    Args:
+        name: what to be called there.
+        stop: tells when the user wants to stop.
+        keystore: keystore that protects the graph, None for none.
+
+    Raises:
+        ChoiceError: there are none.
+
+    """
+
+    def guard() -> None:
+        if stop.name is not None:
+            raise Interrupted(stop.name)
+
+    with session(name, guard, keystore) as (node, pump):
+        standstill = Standstill(node)
+        pump.until(lambda: set(NAMES) <= set(node.get_node_names()), LOOK_S)
+        seen = set(node.get_node_names())
+        if not seen & set(NAMES):
+            domain = os.environ.get(DOMAIN_ID) or '0'
+            raise ChoiceError(f'no graph in {DOMAIN_ID} = {domain}: start one with `srnn up`')
+        clients = [LifecycleClient(node, other, lambda: '') for other in NAMES if other in seen]
+        yield RunningGraph(clients, pump, standstill)
