@@ -17,7 +17,7 @@ from srnn_access.errors import (
 )
 from srnn_access.key_file import create, load
 
-LOAD = 'import pathlib, sys; from srnn_access.key_file import load; load(pathlib.Path(sys.argv[1]))'
+LOAD = 'import sys; from srnn_access.key_file import load; load(sys.argv[1])'
 
 
 @pytest.fixture
