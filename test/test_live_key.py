@@ -2,19 +2,18 @@
 """The running graph with a key: strangers change nothing, and whoever is started anew is heard."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 import time
 
 import numpy as np
 import pytest
 from std_srvs.srv import Trigger
-from test_live_graph import ROOT, Watched, call
-import yaml
+from watched_graph import Watched, free_scene
 
 from lwr_tracking.tracker_node import NOT_IN_CHARGE
 from srnn_access import Mark, key_file
 from srnn_access.mark import parse
-from srnn_bringup.config import Choices, load
 from srnn_bringup.live_graph import LiveGraph, command
 from srnn_bringup.observer import Observer
 from srnn_bringup.recorder import start_recording
@@ -36,10 +35,10 @@ class Keyed(Watched):
 
     def __init__(self, graph: LiveGraph) -> None:
         self.sources: dict[int, int] = {}
-        self.health: dict[str, dict[str, str]] = {}
-        super().__init__(graph)
-        self._listen('segment', lambda msg: msg, self._on_marked)
-        self._listen('/diagnostics', diagnostics.from_msg, self._on_health)
+        self.values: dict[str, dict[str, str]] = {}
+        super().__init__(graph, guarded=False)
+        self.listen('segment', lambda msg: msg, self._on_marked)
+        self.listen('/diagnostics', diagnostics.from_msg, self._on_values)
 
     def done_by(self, source: int) -> list[int]:
         return [stamp for stamp in self.done() if self.sources.get(stamp) == source]
@@ -69,19 +68,16 @@ class Keyed(Watched):
         mark: Mark | None = parse(mark_carrier(type(msg)).take(msg) or '')
         self.sources[stamp_ns] = mark.source if mark else 0
 
-    def _on_health(self, told) -> None:
+    def _on_values(self, told) -> None:
         for name, health in told.items():
-            self.health[name] = dict(health.values)
+            self.values[name] = dict(health.values)
 
 
 @pytest.fixture
 def keyed(tmp_path: Path) -> Iterator[Keyed]:
-    scene = yaml.safe_load((ROOT / 'config/scenes/four_waypoints.yaml').read_text())
-    scene['obstacles'] = []
-    path, key = tmp_path / 'free.yaml', tmp_path / 'graph.key'
-    path.write_text(yaml.safe_dump(scene))
+    key = tmp_path / 'graph.key'
     key_file.create(key)
-    configuration = load(Choices(scene=str(path), seed=1, key_file=key))
+    configuration = replace(free_scene(tmp_path, 0.2), key_file=key)
     with StopRequest() as stop, LiveGraph(configuration, stop, lambda _: None) as graph:
         value = Keyed(graph)
         value.recorder = start_recording(configuration)
@@ -124,18 +120,18 @@ def test_a_node_that_is_started_anew_is_heard_at_once(keyed, name):
     keyed.graph.restart(name)
     keyed.until(lambda: len(keyed.done()) >= before + 3)
     keyed.until(lambda: len(keyed.recorder.records) > lessons)
-    assert not any('unsigned' in k or 'altered' in k for h in keyed.health.values() for k in h)
+    assert not any('unsigned' in k or 'altered' in k for h in keyed.values.values() for k in h)
 
 
 def test_a_planner_that_comes_late_gets_the_weights_of_long_ago(keyed):
-    assert call(keyed, Trigger, 'adapter/revert').success
-    keyed.until(lambda: keyed.health.get('/planner', {}).get('weights_version') == '1')
+    assert keyed.call(Trigger, 'adapter/revert').success
+    keyed.until(lambda: keyed.values.get('/planner', {}).get('weights_version') == '1')
     keyed.spin(6.0)
     keyed.kill('planner')
     keyed.until(lambda: not keyed.graph._supervisor.alive('planner'))
-    keyed.health.clear()
+    keyed.values.clear()
     keyed.graph.restart('planner')
-    keyed.until(lambda: keyed.health.get('/planner', {}).get('weights_version') == '1')
+    keyed.until(lambda: keyed.values.get('/planner', {}).get('weights_version') == '1')
 
 
 def test_a_stranger_beside_the_running_graph_changes_nothing(keyed):
@@ -154,8 +150,8 @@ def test_a_stranger_beside_the_running_graph_changes_nothing(keyed):
     codes = {r.code for r in keyed.results}
     assert not codes & {ResultCode.BLOCKED, ResultCode.FAULT}
     keyed.until(lambda: all(
-        int(keyed.health[f'/{node}'].get('access_unsigned', 0)) > 0
+        int(keyed.values[f'/{node}'].get('access_unsigned', 0)) > 0
         for node in ('tracker', 'planner', 'sim_bridge')
     ))
-    assert keyed.health['/planner']['weights_version'] == '0'
-    assert keyed.health['/sim_bridge']['refused_too_far'] == '0'
+    assert keyed.values['/planner']['weights_version'] == '0'
+    assert keyed.values['/sim_bridge']['refused_too_far'] == '0'

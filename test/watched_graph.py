@@ -130,7 +130,7 @@ class Watched:
 
     def _on_health(self, healths):
         for name, health in healths.items():
-            self.health[name.rpartition('/')[2]].append((time.time_ns(), health))
+            self.health.setdefault(name.rpartition('/')[2], []).append((time.time_ns(), health))
 
 
 @contextmanager
