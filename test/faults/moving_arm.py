@@ -6,7 +6,9 @@ import zlib
 
 from arm_rig import Rig, rig
 import numpy as np
-from segments import line
+from segments import MS, line
+
+from srnn_msgs_py.segment import Segment
 
 EDGE = 0.28
 SHORTEST = 0.2
@@ -52,6 +54,13 @@ class Course:
         assert made.tracker.offer(line(self.start, self.end, self.speed), 0.0) is None
         made.run(self.moment)
         return made
+
+    def continued(self, rng: np.random.Generator) -> Segment:
+        """Return a good segment that begins where this one ends, with the next identity."""
+        while True:
+            end = rng.uniform(-EDGE, EDGE, 2)
+            if np.hypot(*(end - self.end)) > 0.1:
+                return line(self.end, tuple(end), rng.uniform(0.05, 0.2), stamp_ns=MS + 1)
 
 
 def random_course(rng: np.random.Generator) -> Course:

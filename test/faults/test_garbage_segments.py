@@ -3,7 +3,7 @@
 
 from arm_rig import PERIOD, Rig
 from garbage_segments import GARBAGE
-from moving_arm import EDGE, Course, generator, random_course, speeds
+from moving_arm import generator, random_course, speeds
 import numpy as np
 import pytest
 from segments import MS, line
@@ -19,21 +19,14 @@ OFFERS = 3
 """So many bad segments come in every tick: 19 faults x 3 repeats x 60 ticks are 10 260."""
 
 
-def continuing(course: Course, rng: np.random.Generator) -> Segment:
-    """Return a good segment that begins where the course ends, with the next identity."""
-    while True:
-        end = rng.uniform(-EDGE, EDGE, 2)
-        if np.hypot(*(end - course.end)) > 0.1:
-            return line(course.end, tuple(end), rng.uniform(0.05, 0.2), stamp_ns=MS + 1)
-
-
 def trace(made: Rig, attack=lambda: None) -> bytes:
-    """Advance one cycle after an attack; return commands, reference and state of the arm."""
+    """Advance one cycle after an attack; return command, reference and state of the arm."""
     attack()
     made.tick()
     reference = made.tracker.reference
     motion = made.arm.data.qpos, made.arm.data.qvel, reference.position, reference.velocity
-    return b''.join(part.tobytes() for part in (made.commands[-1], *motion))
+    clock = np.float64(reference.clock)
+    return b''.join(part.tobytes() for part in (made.commands[-1], *motion, clock))
 
 
 @pytest.mark.parametrize('what', GARBAGE)
@@ -42,7 +35,7 @@ def test_a_bad_segment_changes_nothing(ledger, what):
     for repeat in range(ledger.repeats):
         rng = generator(what, repeat)
         course = random_course(rng)
-        good = continuing(course, rng)
+        good = course.continued(rng)
         with ledger.injection(garbage.row, what, bound_ms=2.0) as entry:
             clean, attacked = course.begin(), course.begin()
 

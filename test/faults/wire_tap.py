@@ -28,7 +28,8 @@ def _result(msg: Any) -> dict[str, Any]:
 
 
 def _pose(msg: Any) -> dict[str, Any]:
-    return {'tip': pose.from_msg(msg).position.tolist()}
+    value = pose.from_msg(msg)
+    return {'stamp': value.stamp_ns, 'tip': value.position.tolist()}
 
 
 def _weights(msg: Any) -> dict[str, Any]:
