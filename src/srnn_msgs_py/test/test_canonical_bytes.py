@@ -35,6 +35,13 @@ def test_messages_have_equal_bytes_exactly_if_they_are_equal(one, other):
     assert (canonical(one) == canonical(other)) == (repr(one) == repr(other))
 
 
+def test_a_number_that_changes_its_field_changes_the_bytes():
+    one, two = array('d', [1.0]), array('d', [1.0, 1.0])
+    states = [JointState(position=one, velocity=two), JointState(position=two, velocity=one)]
+    states += [JointState(position=one, effort=two), JointState(velocity=one, effort=two)]
+    assert len({canonical(state) for state in states}) == len(states)
+
+
 @given(STATES)
 def test_bytes_are_the_same_on_the_other_side_of_the_wire(state):
     arrived = deserialize_message(serialize_message(state), JointState)

@@ -223,7 +223,9 @@ def test_a_message_of_every_sealed_topic_reaches_its_listener(bench, make, key):
     node = make(All, 'all', key)
     bench.spin_until(lambda: all(p.get_subscription_count() for p in node.out.values()))
     for name, publisher in node.out.items():
-        publisher.publish(sample_message(name))
+        msg = sample_message(name)
+        publisher.publish(msg)
+        assert msg == sample_message(name)
     bench.spin_until(lambda: len(node.heard) == len(NAMES))
     assert all(msg == sample_message(name) for name, msg in node.heard)
 
