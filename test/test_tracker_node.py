@@ -4,6 +4,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 import os
+from pathlib import Path
 import subprocess
 import sys
 import time
@@ -21,6 +22,9 @@ from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.tracker_node import TrackerNode
 from srnn_msgs_py.health import HealthLevel
 from srnn_msgs_py.joints import JointSample
+
+sys.path.insert(0, str(Path(__file__).parents[1] / 'src' / 'lwr_tracking' / 'test'))
+from segments import line
 
 SUCCESS = TransitionCallbackReturn.SUCCESS
 
@@ -77,6 +81,23 @@ def test_without_joint_states_the_arm_is_stopped_at_the_second_look(tracker):
     assert not tracker._tracker.latched
     tracker.on_tick()
     assert tracker._tracker.conditions == Condition.SILENT
+
+
+def test_deactivation_in_mid_motion_is_a_rest_on_the_path_and_no_fault(tracker):
+    assert tracker.trigger_activate() == SUCCESS
+    sample = at_rest()
+    tracker._on_sample(sample)
+    start = tuple(tracker._tracker.tip[:2])
+    assert tracker._tracker.offer(line(start, (0.2, 0.0), 0.2), 0.0) is None
+    while np.linalg.norm(tracker._tracker.reference.velocity) < 0.15:
+        time.sleep(0.004)
+        sample = replace(sample, stamp_ns=sample.stamp_ns + 4_000_000, position=tracker._sent[0])
+        tracker._on_sample(sample)
+    assert tracker.trigger_deactivate() == SUCCESS
+    assert tracker._tracker.reference.at_rest
+    assert tracker._tracker.reference.running is not None
+    assert not tracker._tracker.latched
+    assert not tracker.health().message
 
 
 def told(node, service):

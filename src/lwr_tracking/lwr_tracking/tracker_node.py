@@ -120,7 +120,9 @@ class TrackerNode(WorkspaceNode):
                 break
             # No measurement can arrive in here: assume that the arm follows its commands.
             time.sleep(period)
-            self._cycle(replace(self._sample, position=self._sent[0]))
+            stamp_ns = self._sample.stamp_ns + round(1e9 * period)
+            self._sample = replace(self._sample, stamp_ns=stamp_ns, position=self._sent[0])
+            self._cycle(self._sample)
 
     def seconds_to_tick(self) -> float | None:
         """Return when the joint states are overdue [s]."""
