@@ -83,16 +83,32 @@ def test_without_joint_states_the_arm_is_stopped_at_the_second_look(tracker):
     assert tracker._tracker.conditions == Condition.SILENT
 
 
-def test_deactivation_in_mid_motion_is_a_rest_on_the_path_and_no_fault(tracker):
+class Clock:
+    """Time that passes when somebody sleeps."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def monotonic(self) -> float:
+        return self.now
+
+    def sleep(self, seconds: float) -> None:
+        self.now += seconds
+
+
+def test_deactivation_in_mid_motion_is_a_rest_on_the_path_and_no_fault(tracker, monkeypatch):
+    clock = Clock()
+    monkeypatch.setattr(tracker_node, 'time', clock)
     assert tracker.trigger_activate() == SUCCESS
     sample = at_rest()
     tracker._on_sample(sample)
     start = tuple(tracker._tracker.tip[:2])
     assert tracker._tracker.offer(line(start, (0.2, 0.0), 0.2), 0.0) is None
-    while np.linalg.norm(tracker._tracker.reference.velocity) < 0.15:
-        time.sleep(0.004)
+    for _ in range(200):
+        clock.sleep(0.004)
         sample = replace(sample, stamp_ns=sample.stamp_ns + 4_000_000, position=tracker._sent[0])
         tracker._on_sample(sample)
+    assert np.linalg.norm(tracker._tracker.reference.velocity) > 0.15
     assert tracker.trigger_deactivate() == SUCCESS
     assert tracker._tracker.reference.at_rest
     assert tracker._tracker.reference.running is not None
