@@ -18,8 +18,14 @@ LOOSELY = 5.0
 
 
 def keeps_to_the_path(watched: Watched, since: int, entry: Injection) -> None:
-    """Demand that the arm has been near its planned paths, not too fast, and untroubled."""
-    motion = Motion(watched, since)
+    """Demand that the arm has been near its planned paths, not too fast, and untroubled.
+
+    It must be under way: this process may be late to hear, and has heard all that was sent
+    until now when it hears of what was sent later.
+    """
+    until = watched.now()
+    watched.first_executed(until)
+    motion = Motion(watched, since, until)
     entry.deviation_mm = 1e3 * motion.off_path()
     entry.speed = motion.speed
     assert entry.deviation_mm <= OFF_PATH_MM

@@ -72,8 +72,9 @@ def test_no_bound_is_broken_and_missed_cycles_are_published(ledger, watched, sch
     for _ in range(ledger.repeats):
         due, missed = counted(watched)
         since = watched.now()
-        with ledger.injection(21, f'overload, {scheduling}') as entry, busy_loops():
-            watched.spin(LOAD_S)
+        with ledger.injection(21, f'overload, {scheduling}') as entry:
+            with busy_loops():
+                watched.spin(LOAD_S)
             keeps_to_the_path(watched, since, entry)
             due_then, missed_then = counted(watched)
             share = (missed_then - missed) / (due_then - due)
