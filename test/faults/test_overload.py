@@ -18,18 +18,11 @@ pytestmark = pytest.mark.slow
 BUSY = 'while True: pass'
 LOAD_S = 6.0
 CYCLE_S = 0.004
-CATCHES_UP = 'a late command moves the arm on by up to 20 ms at once (tracking.limits.max_step)'
 MISSED = 0.05
 """Share of cycles with real-time priority; others that have it as well may be busy."""
 
 
-@pytest.fixture(
-    scope='module',
-    params=[
-        'real-time priority',
-        pytest.param('normal priority', marks=pytest.mark.xfail(reason=CATCHES_UP)),
-    ],
-)
+@pytest.fixture(scope='module', params=['real-time priority', 'normal priority'])
 def scheduling(request: pytest.FixtureRequest) -> Iterator[str]:
     with pytest.MonkeyPatch.context() as patch:
         if request.param == 'normal priority':

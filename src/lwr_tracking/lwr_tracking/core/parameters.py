@@ -136,7 +136,7 @@ class LimitParameters(Parameters):
         doc='Speed at which the tip approaches the height of the plane after the start.',
     )
     max_step: float = parameter(
-        0.020, unit='s', above=0.0, maximum=0.1,
+        0.008, unit='s', above=0.0, maximum=0.1,
         doc='Longest time that one command may advance the motion.',
     )
     position_margin: float = parameter(
