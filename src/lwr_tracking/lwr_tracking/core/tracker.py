@@ -30,6 +30,9 @@ from srnn_msgs_py.segment import Segment
 
 Array = NDArray[np.float64]
 
+HELD_AFTER = 0.02
+"""The arm side has come to hold its pose after so long without a command [s] (`lwr_guard`)."""
+
 
 class Tick(NamedTuple):
     """Answer to one measurement.
@@ -212,8 +215,7 @@ class Tracker:
         step = 0.0 if before is None else now - before
         self._set(Condition.OVERLOADED, self._ticks.tick(step))
         self.counters.late_ticks = self._ticks.late
-        if step > self._parameters.limits.max_step and self._execution is not None:
-            # Without commands for so long the arm side holds its pose.
+        if step > HELD_AFTER and self._execution is not None:
             self._execution.reference.halt()
         return min(max(step, 0.0), self._parameters.limits.max_step)
 
