@@ -11,7 +11,8 @@ from lwr_sim_bridge import SimulatedArm
 from lwr_sim_bridge.bridge_node import BridgeNode
 from srnn_node.run import run
 
-SOUND_CYCLES = 250
+SOUND_CYCLES = 50
+"""The physics goes wrong so many cycles after somebody listens."""
 
 
 def _set(field: str, value: float) -> Callable[[SimulatedArm, int], None]:
@@ -49,10 +50,15 @@ POISONS: dict[str, Callable[[SimulatedArm, int], None]] = {
 
 
 class BreakingBridge(BridgeNode):
-    """A sim bridge that is sound for a while."""
+    """A sim bridge that is sound until it has been heard for a while."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._heard = 0
 
     def on_tick(self) -> None:
-        if self._cycles == SOUND_CYCLES:
+        self._heard += self._measured.get_subscription_count() > 0
+        if self._heard == SOUND_CYCLES:
             POISONS[sys.argv[1]](self._arm, SOUND_CYCLES % 7)
         super().on_tick()
 
