@@ -24,6 +24,7 @@ class Rig:
     finished: list[Finished] = field(default_factory=list)
     force: list[float] = field(default_factory=list)
     tips: list[np.ndarray] = field(default_factory=list)
+    commands: list[np.ndarray] = field(default_factory=list)
 
     def tick(self) -> None:
         sample = self.arm.sample(int(self.arm.time * 1e9))
@@ -31,6 +32,7 @@ class Rig:
         assert self.arm.command(tick.command) is None
         for _ in range(PHYSICS_PER_TICK):
             self.arm.step()
+        self.commands.append(tick.command)
         self.finished += tick.finished
         self.force.append(self.tracker.contact.force)
         self.tips.append(self.arm.tip_truth)
@@ -38,6 +40,7 @@ class Rig:
     def run(self, seconds: float) -> None:
         for _ in range(round(seconds / PERIOD)):
             self.tick()
+        assert not self.arm.data.warning.number.any()
 
     def execute(self, segments) -> None:
         """Offer every segment in good time and run until all are over."""
@@ -47,13 +50,15 @@ class Rig:
             if todo and self.tracker.reference.waiting is None:
                 assert self.tracker.offer(todo.pop(0), 0.0) is None
             self.tick()
+        assert not self.arm.data.warning.number.any()
 
     def present_force(self) -> float:
         return float(np.linalg.norm(self.arm.truth.low_pass))
 
 
-def rig(obstacles=(), seed=1, **arm_parameters) -> Rig:
-    scene = build_scene({'name': 'test', 'waypoints': [[0, 0]], 'obstacles': list(obstacles)}, '')
+def rig(obstacles=(), seed=1, start=(0.0, 0.0), **arm_parameters) -> Rig:
+    task = {'name': 'test', 'waypoints': [list(start)], 'obstacles': list(obstacles)}
+    scene = build_scene(task, '')
     parameters = ArmParameters(**arm_parameters)
     arm = SimulatedArm(parameters, Mount(), scene, np.random.default_rng(seed))
     made = Rig(arm, Tracker(TrackerParameters(), Kinematics(Mount())))

@@ -1,80 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
 """The running graph: it is what the README says, and it survives the loss of its planner."""
 
-from collections.abc import Callable, Iterator
-import os
+from collections.abc import Iterator
 from pathlib import Path
-import signal
 import time
 
 import numpy as np
 import pytest
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 from std_srvs.srv import Trigger
-import yaml
+from watched_graph import PATIENCE_S, Watched, free_scene, watched_graph
 
-from srnn_bringup.config import Choices, load
-from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.restarts import Restarts
-from srnn_msgs_py.result import ResultCode, SegmentResult
-from srnn_msgs_py.ros import pose, result, segment, weights
+from srnn_msgs_py.health import HealthLevel
+from srnn_msgs_py.result import ResultCode
+from srnn_msgs_py.ros import diagnostics, weights
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
-from srnn_msgs_py.segment import Segment
 from srnn_msgs_py.topics import NODES, TOPICS, markdown_table, topic
-from srnn_node.signals import StopRequest
+from srnn_msgs_py.weights import WeightsUpdate
 
 ROOT = Path(__file__).parents[1]
-PATIENCE_S = 30.0
-
-
-class Watched:
-    """A live graph and what is heard from it."""
-
-    def __init__(self, graph: LiveGraph) -> None:
-        self.graph = graph
-        self.pump = graph.pump.unguarded()
-        self.segments: list[Segment] = []
-        self.results: list[SegmentResult] = []
-        self.poses: list[tuple[float, np.ndarray]] = []
-        self._listen('segment', segment.from_msg, self.segments.append)
-        self._listen('segment_result', result.from_msg, self.results.append)
-        self._listen('current_pose', pose.from_msg, self._on_pose)
-
-    def until(self, condition: Callable[[], object]) -> None:
-        assert self.pump.until(condition, PATIENCE_S), 'waited in vain'
-
-    def spin(self, seconds: float) -> None:
-        self.pump.until(lambda: False, seconds)
-
-    def done(self) -> list[int]:
-        return [r.stamp_ns for r in self.results if r.code is ResultCode.DONE]
-
-    def kill(self, name: str) -> None:
-        os.kill(self.graph.pids[name], signal.SIGKILL)
-
-    def _on_pose(self, tip):
-        self.poses.append((time.monotonic(), tip.position))
-
-    def _listen(self, name, read, take):
-        row = topic(name)
-        self.graph.node.create_subscription(
-            message_type(row.type_name), row.name, lambda msg: take(read(msg)), profile(row.qos)
-        )
 
 
 @pytest.fixture
 def watched(tmp_path: Path) -> Iterator[Watched]:
-    scene = yaml.safe_load((ROOT / 'config/scenes/four_waypoints.yaml').read_text())
-    scene['obstacles'] = []
-    path = tmp_path / 'free.yaml'
-    path.write_text(yaml.safe_dump(scene))
-    configuration = load(Choices(scene=str(path), seed=1))
-    with StopRequest() as stop, LiveGraph(configuration, stop, lambda _: None) as graph:
-        value = Watched(graph)
-        graph.configure()
-        graph.activate()
-        value.until(lambda: len(value.done()) >= 2)
+    with watched_graph(free_scene(tmp_path, velocity=0.1)) as value:
         yield value
 
 
@@ -154,8 +105,8 @@ def test_motion_goes_on_undisturbed_when_the_adapter_is_killed(watched):
 
 def test_an_adapter_that_was_killed_goes_on_from_its_last_update(watched):
     heard = []
-    watched._listen('weights', weights.from_msg, heard.append)
-    assert call(watched, Trigger, 'adapter/revert').success
+    watched.listen('weights', weights.from_msg, heard.append)
+    assert watched.call(Trigger, 'adapter/revert').success
     watched.until(lambda: heard and heard[-1].version == 1)
     watched.kill('adapter')
     watched.until(lambda: not watched.graph._supervisor.alive('adapter'))
@@ -179,44 +130,64 @@ def test_a_dead_node_is_started_anew_and_reported(watched, name):
     assert len(said) == 1
 
 
-def call(watched, kind, name, **fields):
-    client = watched.graph.node.create_client(kind, name)
-    watched.until(client.service_is_ready)
-    future = client.call_async(kind.Request(**fields))
-    watched.until(future.done)
-    return future.result()
-
-
-def stands_still(watched) -> bool:
-    watched.spin(0.5)
-    tail = np.array([p for t, p in watched.poses if t > watched.poses[-1][0] - 0.3])
-    return bool(np.ptp(tail, axis=0).max() < 0.0005)
+def test_dead_weights_are_left_reported_and_outlived(watched):
+    heard, health = [], {f'/{name}': [] for name in NODES}
+    watched.listen('weights', weights.from_msg, heard.append)
+    watched.listen('/diagnostics', diagnostics.from_msg, lambda told: [
+        health[name].append(value) for name, value in told.items()
+    ])
+    planner, adapter = health['/planner'], health['/adapter']
+    watched.until(lambda: heard and planner and adapter)
+    good = heard[-1].matrix
+    row = topic('weights')
+    publisher = watched.graph.node.create_publisher(
+        message_type(row.type_name), row.name, profile(row.qos)
+    )
+    watched.until(publisher.get_subscription_count)
+    dead = WeightsUpdate(100, 0, np.full_like(good, -1.0))
+    publisher.publish(weights.to_msg(dead))
+    watched.until(lambda: any(h.level is HealthLevel.ERROR for h in planner))
+    assert next(h for h in planner if h.level is HealthLevel.ERROR).message == (
+        'no valid plan in 10 tries with weights version 100: trying older ones'
+    )
+    watched.until(lambda: heard[-1].version == 101)
+    np.testing.assert_array_equal(heard[-1].matrix, good)
+    before = len(watched.done())
+    watched.until(lambda: len(watched.done()) >= before + 2)
+    watched.until(lambda: planner[-1].level is not HealthLevel.ERROR)
+    assert planner[-1].values['weights_version'] == '101'
+    assert planner[-1].values['weights_refused'] == '1'
+    watched.until(lambda: adapter[-1].values['weights_version'] == '101')
+    assert adapter[-1].level is HealthLevel.WARN
+    assert 'no valid plan in 10 tries with weights version 100' in adapter[-1].message
+    assert adapter[-1].values['checkpoint_version'] == '101'
+    assert adapter[-1].values['checkpoint_error'] == ''
 
 
 def test_stop_freezes_the_arm_until_reset_and_then_it_goes_on(watched):
-    assert call(watched, Trigger, 'tracker/stop').success
+    assert watched.call(Trigger, 'tracker/stop').success
     watched.until(lambda: any(r.code is ResultCode.FAULT for r in watched.results))
-    assert stands_still(watched)
+    assert watched.stands_still()
     watched.until(lambda: watched.results[-1].code is ResultCode.REJECTED)
     before = len(watched.done())
-    assert call(watched, Trigger, 'tracker/reset').success
+    assert watched.call(Trigger, 'tracker/reset').success
     watched.until(lambda: len(watched.done()) >= before + 2)
 
 
 def test_pause_brings_the_arm_to_rest_and_resume_lets_it_go_on(watched):
-    assert call(watched, Trigger, 'tracker/pause').success
-    assert stands_still(watched)
+    assert watched.call(Trigger, 'tracker/pause').success
+    assert watched.stands_still()
     before = len(watched.done())
-    assert call(watched, Trigger, 'tracker/resume').success
+    assert watched.call(Trigger, 'tracker/resume').success
     watched.until(lambda: len(watched.done()) >= before + 2)
     assert not any(r.code is ResultCode.FAULT for r in watched.results)
 
 
 def test_weights_can_be_reverted_but_not_saved_without_a_file(watched):
-    assert call(watched, Trigger, 'adapter/revert').success
-    refused = call(watched, Trigger, 'adapter/save')
+    assert watched.call(Trigger, 'adapter/revert').success
+    refused = watched.call(Trigger, 'adapter/save')
     assert not refused.success
     assert 'weights_file' in refused.message
-    running = call(watched, Trigger, 'sim_bridge/reset')
+    running = watched.call(Trigger, 'sim_bridge/reset')
     assert not running.success
     assert 'deactivate' in running.message

@@ -18,10 +18,12 @@ MAX_LINES = 300
 
 # What a package may import of the workspace: whatever stands above it, except where noted.
 ORDER = (
-    'srnn_config', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard', 'srnn_planner',
-    'lwr_tracking', 'lwr_sim_bridge', 'srnn_experiments', 'srnn_bringup',
+    'srnn_config', 'srnn_access', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard',
+    'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'srnn_experiments', 'srnn_bringup',
 )  # fmt: skip
 STRANGERS = {
+    'srnn_access': {'srnn_config'},
+    'srnn_msgs_py': {'srnn_config'},
     'srnn_planner': {'lwr_description', 'lwr_guard'},
     'lwr_tracking': {'srnn_planner', 'lwr_guard'},
     'lwr_sim_bridge': {'srnn_planner', 'lwr_tracking'},
@@ -41,6 +43,7 @@ EXECUTABLES = {
 # Packages, or parts of packages, that work without ROS, and what they may not load either.
 CORES = {
     'srnn_config': (),
+    'srnn_access': (),
     'srnn_msgs_py': (),
     'srnn_planner.core': ('mujoco',),
     'lwr_tracking.core': (),

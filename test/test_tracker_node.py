@@ -145,3 +145,36 @@ def test_what_stops_the_arm_is_logged_once(tracker, monkeypatch):
     assert said == ['frozen until reset: measurement is not finite']
     tracker._stop()
     assert said[1:] == ['frozen until reset: stop asked for, measurement is not finite']
+
+
+def test_after_a_silence_nothing_is_commanded_until_reset_and_then_the_arm_as_it_is(
+    tracker, monkeypatch
+):
+    """It may be another arm that reports again: a new simulation starts somewhere else."""
+    told = []
+    assert tracker.trigger_activate() == SUCCESS
+    monkeypatch.setattr(tracker, '_commands', SimpleNamespace(publish=told.append))
+    tracker._on_sample(at_rest())
+    assert len(told) == 1
+    for _ in range(2):
+        tracker.on_tick()
+    elsewhere = replace(at_rest(), stamp_ns=2, position=np.array(Mount().home) + 0.1)
+    tracker._on_sample(elsewhere)
+    assert len(told) == 1
+    assert tracker._tracker.counters.faults == 2
+    tracker._pause()
+    tracker._reset()
+    for _ in range(2):
+        tracker._on_sample(elsewhere)
+    np.testing.assert_allclose(told[1].data, elsewhere.position)
+    np.testing.assert_allclose(told[2].data, elsewhere.position, atol=1e-3)
+    assert tracker._tracker.conditions == Condition.PAUSED
+    assert tracker._tracker.counters.faults == 2
+
+
+def test_a_reset_without_need_changes_nothing(tracker):
+    assert tracker.trigger_activate() == SUCCESS
+    tracker._on_sample(at_rest())
+    core = tracker._tracker
+    tracker._reset()
+    assert tracker._tracker is core

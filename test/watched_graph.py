@@ -8,6 +8,7 @@ import os
 from pathlib import Path
 import signal
 import time
+import zlib
 
 import numpy as np
 from rclpy.node import Node
@@ -38,21 +39,21 @@ REFUSED = (ResultCode.REJECTED, ResultCode.STALE)
 class Watched:
     """A live graph and what is heard from it; times are of the system clock [ns]."""
 
-    def __init__(self, graph: LiveGraph) -> None:
+    def __init__(self, graph: LiveGraph, guarded: bool) -> None:
         self.graph = graph
-        self.pump = graph.pump.unguarded()
+        self.pump = graph.pump if guarded else graph.pump.unguarded()
         self.pids = set(graph.pids.values())
         self.segments: list[Segment] = []
         self.results: list[SegmentResult] = []
-        self.weights: list[int] = []
+        self.weights: list[tuple[int, int]] = []
         self.lessons: list[Dissonance] = []
         self.poses: list[tuple[float, np.ndarray]] = []
-        self.joints: list[tuple[int, np.ndarray, np.ndarray]] = []
+        self.joints: list[tuple[int, np.ndarray]] = []
         self.commands: list[int] = []
         self.health: dict[str, list[tuple[int, Health]]] = {name: [] for name in graph.names}
         self.listen('segment', segment.from_msg, self.segments.append)
         self.listen('segment_result', result.from_msg, self.results.append)
-        self.listen('weights', lambda msg: weights.from_msg(msg).version, self.weights.append)
+        self.listen('weights', _version, self.weights.append)
         self.listen('dissonance', dissonance.from_msg, self.lessons.append)
         self.listen('current_pose', pose.from_msg, self._on_pose)
         self.listen('joint_states', _joints, self.joints.append)
@@ -129,17 +130,23 @@ class Watched:
 
     def _on_health(self, healths):
         for name, health in healths.items():
-            self.health[name.rpartition('/')[2]].append((time.time_ns(), health))
+            self.health.setdefault(name.rpartition('/')[2], []).append((time.time_ns(), health))
 
 
 @contextmanager
 def watched_graph(
     configuration: Configuration, restarts: Restarts | None = None
 ) -> Iterator[Watched]:
-    """Bring up a graph; when it is down again, none of its processes may be left."""
+    """Bring up a graph; when it is down again, none of its processes may be left.
+
+    Args:
+        configuration: what the nodes are told.
+        restarts: starts dead nodes anew while the graph is watched; None: nobody does.
+
+    """
     with StopRequest() as stop, LiveGraph(configuration, stop, lambda _: None, restarts) as graph:
         folder = str(graph._files['planner'].parent)
-        watched = Watched(graph)
+        watched = Watched(graph, guarded=restarts is not None)
         graph.configure()
         graph.activate()
         watched.until(lambda: len(watched.done()) >= 2)
@@ -158,9 +165,18 @@ def free_scene(folder: Path, velocity: float) -> Configuration:
     return load(Choices(scene=str(path), seed=1))
 
 
+def fingerprint(matrix: np.ndarray) -> int:
+    """Return what tells one matrix of weights from another."""
+    return zlib.crc32(matrix.tobytes())
+
+
+def _version(msg):
+    update = weights.from_msg(msg)
+    return update.version, fingerprint(update.matrix)
+
+
 def _joints(msg):
-    position, velocity = np.array(msg.position), np.array(msg.velocity)
-    return stamp_from_msg(msg.header.stamp), position, velocity
+    return stamp_from_msg(msg.header.stamp), np.array(msg.position)
 
 
 def _running(folder: str) -> list[str]:

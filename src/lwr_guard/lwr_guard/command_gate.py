@@ -3,7 +3,7 @@
 
 from enum import Enum
 from math import isfinite
-from operator import gt, sub
+from operator import gt, sub, truediv
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,45 +24,62 @@ class Refusal(Enum):
 
 
 class CommandGate:
-    """Accepts joint positions that the arm could follow; remembers the last good one."""
+    """Accepts joint positions that the arm could follow; remembers the last good one.
+
+    However many commands come at once, together they ask for no more motion than the joint
+    speed limits allow in the time that has passed, and in `silence` beyond it.
+    """
 
     def __init__(self, parameters: GuardParameters, start: NDArray[np.float64]) -> None:
-        """Begin as if `start` (7,) [rad] had been commanded long ago."""
+        """Begin as if `start` (7,) [rad] had just been commanded.
+
+        A tracker that begins, begins there; another one may still follow another arm.
+        """
         self._parameters = parameters
         self._last = start.copy()
-        self._last_time = -np.inf
+        self._last_time = np.inf
+        self._spare = parameters.silence
         self.refused = dict.fromkeys(Refusal, 0)
 
     def offer(self, q: ArrayLike, now: float) -> Refusal | None:
         """Judge the command `q` (7,) [rad] at time `now` [s]; None means accepted."""
-        refusal = self._judge(q, now)
-        if refusal is None:
-            self._last[:] = q
-            self._last_time = now
-        else:
-            self.refused[refusal] += 1
-        return refusal
+        angles = _seven_numbers(q)
+        if isinstance(angles, Refusal):
+            return self._refuse(angles)
+        period, silence = self._parameters.period, self._parameters.silence
+        elapsed = max(now - self._last_time, 0.0)
+        spare = min(self._spare + elapsed, silence)
+        moved = map(abs, map(sub, angles, self._last.tolist()))
+        needed = max(map(truediv, moved, _VELOCITY_MAX))
+        if needed > min(max(elapsed, period), spare):
+            return self._refuse(Refusal.TOO_FAR)
+        self._spare = spare - needed
+        self._last[:] = angles
+        self._last_time = now
+        return None
 
     @property
     def last(self) -> NDArray[np.float64]:
         """The last accepted command (7,) [rad]; a view."""
         return self._last
 
-    def _judge(self, q: ArrayLike, now: float) -> Refusal | None:
-        try:
-            angles = np.asarray(q, dtype=float)
-        except (TypeError, ValueError):
-            return Refusal.MALFORMED
-        if angles.shape != (DOF,):
-            return Refusal.MALFORMED
-        # Seven floats one by one are judged faster than as an array.
-        asked, last = angles.tolist(), self._last.tolist()
-        if not all(map(isfinite, asked)):
-            return Refusal.NOT_FINITE
-        if any(map(gt, map(abs, asked), _POSITION_MAX)):
-            return Refusal.OUT_OF_RANGE
-        elapsed = max(now - self._last_time, self._parameters.period)
-        seconds = min(elapsed, self._parameters.silence)
-        reach = [speed * seconds for speed in _VELOCITY_MAX]
-        far = any(map(gt, map(abs, map(sub, asked, last)), reach))
-        return Refusal.TOO_FAR if far else None
+    def _refuse(self, refusal: Refusal) -> Refusal:
+        self.refused[refusal] += 1
+        return refusal
+
+
+def _seven_numbers(q: ArrayLike) -> list[float] | Refusal:
+    """Return joint angles that the arm has, or what is wrong with them."""
+    try:
+        angles = np.asarray(q, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        return Refusal.MALFORMED
+    if angles.shape != (DOF,):
+        return Refusal.MALFORMED
+    # Seven floats one by one are judged faster than as an array.
+    asked: list[float] = angles.tolist()
+    if not all(map(isfinite, asked)):
+        return Refusal.NOT_FINITE
+    if any(map(gt, map(abs, asked), _POSITION_MAX)):
+        return Refusal.OUT_OF_RANGE
+    return asked

@@ -6,6 +6,12 @@ from lwr_guard.parameters import GuardParameters
 WINDOW = 100
 """Cycles over which the share of answered ones is taken."""
 
+SPARSE = 0.95
+"""With a smaller share answered, somebody should look at the machine or the network."""
+
+POOR = 0.90
+"""With a smaller share answered, the link is not fit for use."""
+
 
 class CommandWatch:
     """Notices that good commands have ceased, by the time of the last one.

@@ -24,6 +24,7 @@ def gate():
         ([0.0] * 6, Refusal.MALFORMED),
         ([[0.0] * 7], Refusal.MALFORMED),
         (['a'] * 7, Refusal.MALFORMED),
+        ([10**400] * 7, Refusal.MALFORMED),
         ([np.nan] + [0.0] * 6, Refusal.NOT_FINITE),
         ([0.0] * 6 + [np.inf], Refusal.NOT_FINITE),
         ([0.0, 2.2] + [0.0] * 5, Refusal.OUT_OF_RANGE),
@@ -45,10 +46,43 @@ def test_steps_up_to_the_speed_limit_are_accepted(gate):
     assert gate.offer(q + 1.01 * PARAMETERS.period * VELOCITY_MAX, now) is Refusal.TOO_FAR
 
 
+@pytest.mark.parametrize('now', [0.0, 100.0])
+def test_a_stream_begins_within_one_period_of_where_the_arm_started(gate, now):
+    """What is farther is told to another arm, and would make this one jump."""
+    assert gate.offer(1.01 * PARAMETERS.period * VELOCITY_MAX, now) is Refusal.TOO_FAR
+    assert gate.offer(0.99 * PARAMETERS.period * VELOCITY_MAX, now) is None
+
+
 def test_long_silence_buys_no_longer_step_than_the_stated_one(gate):
     assert gate.offer(START, 1.0) is None
     assert gate.offer(1.01 * PARAMETERS.silence * VELOCITY_MAX, 100.0) is Refusal.TOO_FAR
     assert gate.offer(0.99 * PARAMETERS.silence * VELOCITY_MAX, 100.0) is None
+
+
+shares, pauses = st.floats(-0.25, 1.0), st.sampled_from([0.0, 0.0, 0.0, 0.004])
+
+
+@given(st.lists(st.tuples(st.just(0.19) | shares, pauses), min_size=20, max_size=60))
+def test_many_commands_at_once_do_not_add_up_to_more_speed(steps):
+    gate, now, accepted = CommandGate(PARAMETERS, START), 1.0, [(1.0, START)]
+    for share, elapsed in steps:
+        now += elapsed
+        command = gate.last + share * PARAMETERS.silence * VELOCITY_MAX
+        if gate.offer(command, now) is None:
+            accepted.append((now, command))
+    times = np.array([time for time, _ in accepted])
+    angles = np.array([command for _, command in accepted])
+    passed = np.abs(times[:, None] - times) + PARAMETERS.silence
+    turned = np.abs(angles[:, None] - angles)
+    assert (turned <= passed[..., None] * VELOCITY_MAX + 1e-12).all()
+
+
+def test_a_flood_is_bounded_and_a_stream_after_it_is_followed(gate):
+    assert gate.offer(START, 1.0) is None
+    step = 0.99 * PARAMETERS.period * VELOCITY_MAX
+    verdicts = [gate.offer(gate.last + step, 1.001) for _ in range(50)]
+    assert verdicts.count(None) == round(PARAMETERS.silence / PARAMETERS.period)
+    assert gate.offer(gate.last + step, 1.001 + PARAMETERS.period) is None
 
 
 def test_silence_shorter_than_the_period_is_refused():

@@ -10,6 +10,7 @@ import numpy as np
 from std_srvs.srv import SetBool, Trigger
 
 from lwr_description import DOF, JOINT_NAMES, Kinematics, Mount
+from lwr_guard.command_watch import POOR, SPARSE
 from lwr_sim_bridge.errors import SimulationError
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.simulated_arm import TICK, SimulatedArm
@@ -20,6 +21,7 @@ from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import commands, joints, result, wrench
 from srnn_msgs_py.segment import FRAME
 from srnn_msgs_py.wrench import Wrench
+from srnn_node.errors import NodeError
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.rate import RateKeeper
 from srnn_node.run import run
@@ -59,7 +61,7 @@ class BridgeNode(WorkspaceNode):
     def configure(self, parameters: BridgeParameters) -> None:
         """Build the simulated world, connect topics and services."""
         self._scene = load_scene(parameters.scene)
-        self._parameters = parameters
+        self._settings = parameters
         self._kinematics = Kinematics(parameters.mount)
         self._build()
         self._measured = self.advertise('joint_states')
@@ -86,10 +88,19 @@ class BridgeNode(WorkspaceNode):
         return self._rate.seconds_to_tick(time.monotonic())
 
     def on_tick(self) -> None:
-        """Advance the arm by one cycle and report what it measures."""
+        """Advance the arm by one cycle and report what it measures.
+
+        Raises:
+            NodeError: the physics has gone wrong; there is no arm to report any more.
+
+        """
         if not self._rate.take(time.monotonic()):
             return
-        self._arm.step(TICKS_PER_CYCLE)
+        try:
+            self._arm.step(TICKS_PER_CYCLE)
+        except SimulationError as error:
+            # It ends the node in one line: nobody needs to know how it got here.
+            raise NodeError(str(error)) from error
         self._cycles += 1
         self._report()
 
@@ -108,13 +119,18 @@ class BridgeNode(WorkspaceNode):
         }
         if self._arm.watch.holding:
             return Health(HealthLevel.WARN, 'no commands: the arm holds its pose', values)
+        # Missing commands slow nothing down but a long gap, which `watch` bounds: no reaction.
+        answered = self._arm.watch.answered
+        if answered < SPARSE:
+            level = HealthLevel.ERROR if answered < POOR else HealthLevel.WARN
+            return Health(level, f'only {answered:.0%} of the cycles bring a command', values)
         level = HealthLevel.WARN if self._rate.skipped else HealthLevel.OK
         return Health(level, '', values)
 
     def _build(self) -> None:
         self._arm = SimulatedArm(
-            self._parameters.arm, self._parameters.mount, self._scene,
-            np.random.default_rng([self._parameters.seed, 2]),
+            self._settings.arm, self._settings.mount, self._scene,
+            np.random.default_rng([self._settings.seed, 2]),
         )
         self._segments = 0
         self._cycles = 0

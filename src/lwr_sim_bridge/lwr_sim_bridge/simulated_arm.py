@@ -2,13 +2,14 @@
 """The simulated LWR 4+: takes joint positions, reports what the real arm would report."""
 
 from collections.abc import Mapping
+from operator import gt
 from types import MappingProxyType
 
 import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lwr_description import Kinematics, Mount
+from lwr_description import VELOCITY_MAX, Kinematics, Mount
 from lwr_guard import CommandGate, CommandWatch, Refusal
 from lwr_sim_bridge.command_delay import CommandDelay
 from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
@@ -22,6 +23,9 @@ from srnn_msgs_py.joints import JointSample
 
 TICK = 0.001
 """Period of physics and joint controller [s]."""
+
+_IMPOSSIBLE = (10.0 * VELOCITY_MAX).tolist()
+"""Joints that turn faster [rad/s] are numbers gone wrong, no arm."""
 
 
 class SimulatedArm:
@@ -56,6 +60,7 @@ class SimulatedArm:
         self._q, self._v = self.data.qpos, self.data.qvel
         self._warnings = self.data.warning.number
         self._no_warnings = bytes(self._warnings.nbytes)
+        self._clock = self.data.time
         self._gate = CommandGate(parameters.guard, start)
         self.watch = CommandWatch(parameters.guard)
         self._delay = CommandDelay(round(parameters.command.delay / TICK))
@@ -125,7 +130,8 @@ class SimulatedArm:
         """Advance one cycle: joint controller, physics, observer; many ticks at once are cheaper.
 
         Raises:
-            SimulationError: the simulator has warned or its state is not finite.
+            SimulationError: the simulator has warned, its time has leapt, or its joints are
+                faster than joints can be.
 
         """
         end, estimates = self._ticks + ticks, self._ticks // self._ticks_per_estimate
@@ -142,7 +148,7 @@ class SimulatedArm:
             )
             self._delay.skip(done - 1)
             self._ticks += done
-            self._check()
+            self._check(done)
             self._truth.update()
             self._scene.settle()
         self.watch.cycle(self.time)
@@ -155,13 +161,23 @@ class SimulatedArm:
         measured = self._loop.measure(self._sensors.noise(1)[0])
         return JointSample(stamp_ns, *measured, self._loop.residual.copy())
 
-    def _check(self) -> None:
-        # MuJoCo looks for numbers that are not finite, warns and resets before each step.
-        if self._warnings.tobytes() == self._no_warnings:
-            return
-        kinds = [kind for kind, number in enumerate(self._warnings) if number]
-        names = ', '.join(mujoco.mjtWarning(kind).name for kind in kinds)
-        raise SimulationError(
-            f'simulated arm at {self.time:.3f} s: {names}; '
-            f'q = {self._q.tolist()}, v = {self._v.tolist()}'
-        )
+    def _check(self, ticks: int) -> None:
+        reason = self._broken(ticks)
+        if reason:
+            raise SimulationError(
+                f'simulated arm at {self.time:.3f} s: {reason}; '
+                f'q = {self._q.tolist()}, v = {self._v.tolist()}'
+            )
+
+    def _broken(self, ticks: int) -> str:
+        """Return why the last ticks were not those of an arm, nothing if they were."""
+        # MuJoCo looks for numbers that are not finite, and warns, before each step.
+        if self._warnings.tobytes() != self._no_warnings:
+            kinds = [kind for kind, number in enumerate(self._warnings) if number]
+            return ', '.join(mujoco.mjtWarning(kind).name for kind in kinds)
+        passed, self._clock = self.data.time - self._clock, self.data.time
+        if abs(passed - ticks * TICK) > 0.5 * TICK:
+            return f'its time went by {passed:.3f} s in {ticks} ms'
+        if any(map(gt, map(abs, self._v.tolist()), _IMPOSSIBLE)):
+            return 'a joint turns faster than it can'
+        return ''

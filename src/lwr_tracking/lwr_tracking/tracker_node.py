@@ -21,6 +21,7 @@ from srnn_config import Parameters, parameter
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import commands, executed, joints, pose, result, segment
 from srnn_msgs_py.segment import Segment
 from srnn_msgs_py.tip import TipPosition
@@ -48,6 +49,9 @@ TICKS_PER_POSE = 5
 LONGEST_STOP = 1.0
 """No deactivation takes longer than this to bring the arm to rest [s]."""
 
+NOT_IN_CHARGE = 'another planner is in charge'
+"""Reason for a planner whose segments are not looked at while those of another are."""
+
 
 @dataclass(frozen=True)
 class TrackerNodeParameters(Parameters):
@@ -73,11 +77,11 @@ class TrackerNode(WorkspaceNode):
 
     def configure(self, parameters: TrackerNodeParameters) -> None:
         """Build the arm's kinematics, connect topics and services."""
-        self._parameters = parameters.tracking
+        self._settings = parameters.tracking
         self._latch = LatchFile(Path(parameters.latch) if parameters.latch else None)
         self._latched = self._latch.read()
         self._kinematics = Kinematics(parameters.mount)
-        Tracker(self._parameters, self._kinematics)  # Compiles what activation must not wait for.
+        Tracker(self._settings, self._kinematics)  # Compiles what activation must not wait for.
         self._external: Any = None
         self._sample: JointSample | None = None
         self._arrival = 0.0
@@ -86,7 +90,7 @@ class TrackerNode(WorkspaceNode):
         self._ticks = 0
         # The oldest command is as old as the arm is behind its commands.
         self._sent: deque[np.ndarray] = deque(
-            maxlen=max(1, round(self._parameters.law.lead / self._parameters.period))
+            maxlen=max(1, round(self._settings.law.lead / self._settings.period))
         )
         self._commands = self.advertise('forward_position_controller/commands')
         self._executed = self.advertise('executed')
@@ -94,13 +98,13 @@ class TrackerNode(WorkspaceNode):
         self._pose = self.advertise('current_pose')
         self.listen('external_torque/joint_states', lambda msg: msg, self._on_external)
         self.listen('joint_states', self._pair, self._on_sample)
-        self.listen('segment', segment.from_msg, self._on_segment)
+        self.listen('segment', segment.from_msg, self._on_segment, self._on_foreign_segment)
         for name in ('stop', 'reset', 'pause', 'resume'):
             self.create_service(Trigger, f'~/{name}', self._service(getattr(self, f'_{name}')))
 
     def activate(self) -> None:
         """Hold the arm where it is; segments are accepted from the first measurement on."""
-        self._tracker = Tracker(self._parameters, self._kinematics)
+        self._tracker = Tracker(self._settings, self._kinematics)
         # Joint states are heard while inactive as well: the watch on them begins now.
         self._sample, self._overdue = None, False
         self._tracker.restore(self._latched)
@@ -108,7 +112,7 @@ class TrackerNode(WorkspaceNode):
     def deactivate(self) -> None:
         """Bring the arm to rest on its path, then command nothing more."""
         self._tracker.pause()
-        period = self._parameters.period
+        period = self._settings.period
         until = time.monotonic() + LONGEST_STOP
         while self._sample is not None and time.monotonic() < until:
             reference = self._tracker.reference
@@ -194,7 +198,8 @@ class TrackerNode(WorkspaceNode):
     def _cycle(self, sample: JointSample) -> None:
         tick = self._tracker.tick(time.monotonic(), sample)
         self._tell()
-        if tick.command is not None:
+        # Whoever reports again after a silence may be another arm: it is told nothing yet.
+        if tick.command is not None and Condition.SILENT not in self._tracker.conditions:
             self._sent.append(tick.command)
             self._commands.publish(commands.to_msg(tick.command))
         for end in tick.finished:
@@ -212,6 +217,12 @@ class TrackerNode(WorkspaceNode):
         refused = self._tracker.offer(value, age)
         # A duplicate has the identity of a segment that may well be running.
         if refused is not None and refused.reason != Refusal.DUPLICATE:
+            self._results.publish(result.to_msg(refused))
+
+    def _on_foreign_segment(self, value: Segment) -> None:
+        """Tell a planner that it has to wait, so that it need not find out by itself."""
+        if self.active:
+            refused = SegmentResult(value.stamp_ns, ResultCode.REJECTED, NOT_IN_CHARGE, {})
             self._results.publish(result.to_msg(refused))
 
     def _stop(self) -> str:

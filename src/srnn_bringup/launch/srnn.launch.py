@@ -10,7 +10,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import LifecycleNode
 
 from srnn_bringup.config import STANDARD_SCENE, Choices, load
-from srnn_bringup.graph import NAMES, describe, part, write_parameters
+from srnn_bringup.graph import NAMES, access, describe, part, write_parameters
 from srnn_planner.core.dissonance import SIGNALS
 
 RESPAWN_S = 1.0
@@ -21,6 +21,7 @@ ARGUMENTS = {
     'scene': (STANDARD_SCENE, None, 'name of a scene in config/scenes, or path of a scene file'),
     'signal': ('', ['', *SIGNALS], 'learning signal; empty for the one of network.yaml'),
     'seed': ('0', None, 'seed of all random numbers'),
+    'key': ('', None, 'file with the key that the nodes share; empty for none'),
     'only': (','.join(NAMES), None, 'nodes to start'),
 }
 """Default, choices and meaning of every argument."""
@@ -39,13 +40,17 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
     """Check the configuration, then return the nodes; each brings itself up."""
     given = {name: LaunchConfiguration(name).perform(context) for name in ARGUMENTS}
     choices = Choices(
-        scene=given['scene'], signal=given['signal'] or None, seed=int(given['seed'])
+        scene=given['scene'],
+        signal=given['signal'] or None,
+        seed=int(given['seed']),
+        key_file=Path(given['key']) if given['key'] else None,
     )
     only = part(given['only'])
+    configuration = load(choices)
     # The directory outlives this function: the nodes read its files when they start.
     directory = Path(tempfile.mkdtemp(prefix='srnn_'))
-    nodes = describe(load(choices), directory)
-    files = write_parameters(nodes, directory, autostart=True)
+    nodes = describe(configuration, directory)
+    files = write_parameters(nodes, directory, autostart=True, **access(configuration))
     return [
         LifecycleNode(
             name=node.name,

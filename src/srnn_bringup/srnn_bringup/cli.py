@@ -7,12 +7,16 @@ import os
 from pathlib import Path
 import sys
 
+from srnn_access import AccessError
 from srnn_bringup.command_line import WRONG_USE, Parser
 from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
 from srnn_bringup.experiment_options import add_experiments
+from srnn_bringup.key_command import add_key, add_key_actions
+from srnn_bringup.keystore_command import add_keystore_actions
 from srnn_bringup.options import (
+    add_keystore,
     add_learning,
     add_network,
     add_part,
@@ -43,11 +47,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code: 2 for a wrong command line or file."""
     parser, commands = _parsers()
     options, unknown = parser.parse_known_args(arguments)
-    chosen = (options.command, getattr(options, 'experiment', None))
+    chosen = (options.command, getattr(options, 'action', None))
     commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
     try:
         return int(options.run(options))
-    except (BringupError, ConfigError, ExperimentError, SrnnError) as error:
+    except (AccessError, BringupError, ConfigError, ExperimentError, SrnnError) as error:
         print(f'srnn {options.command}: {error}', file=sys.stderr)
         return WRONG_USE
     except OSError as error:
@@ -75,6 +79,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('pause', 'Bring the arm of a running graph to rest, and have it stay there.'),
             ('resume', 'Have a paused graph go on.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
+            ('key', 'Make the key by which the nodes know each other.'),
+            ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
             ('experiment', 'Many trials on simulated time: runs and tables.'),
         )
     }  # fmt: skip
@@ -86,12 +92,19 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         commands[name].set_defaults(run=run)
     for name in ('up', 'pause', 'resume'):
         add_peers(commands[name])
+    for name in ('demo', 'up', 'pause', 'resume'):
+        add_keystore(commands[name])
     commands['doctor'].set_defaults(run=_doctor)
-    experiments = commands['experiment'].add_subparsers(
-        dest='experiment', metavar='EXPERIMENT', required=True, parser_class=Parser
-    )
-    for name, experiment in add_experiments(experiments).items():
-        commands[f'experiment {name}'] = experiment
+    for command, metavar, add in (
+        ('experiment', 'EXPERIMENT', add_experiments),
+        ('key', 'ACTION', add_key_actions),
+        ('keystore', 'ACTION', add_keystore_actions),
+    ):
+        actions = commands[command].add_subparsers(
+            dest='action', metavar=metavar, required=True, parser_class=Parser
+        )
+        for name, action in add(actions).items():
+            commands[f'{command} {name}'] = action
     return parser, commands
 
 
@@ -104,6 +117,7 @@ def _add_graph(parser: Parser) -> None:
     add_network(parser)
     add_learning(parser)
     add_seed(parser, 'seed of all random numbers')
+    add_key(parser)
     parser.add_argument(
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
@@ -126,7 +140,7 @@ def _add_demo(parser: Parser) -> None:
 
 def _configuration(options: argparse.Namespace) -> Configuration:
     check_environment(os.environ)
-    return load(
+    configuration = load(
         Choices(
             scene=options.scene,
             network=options.network,
@@ -135,8 +149,15 @@ def _configuration(options: argparse.Namespace) -> Configuration:
             seed=options.seed,
             initial_weights=options.weights,
             weights_file=options.save_weights,
+            key_file=options.key,
+            keystore=options.secure,
         )
     )
+    if configuration.keystore is not None:
+        from srnn_bringup.security import require_security
+
+        require_security(configuration.keystore, os.environ)
+    return configuration
 
 
 def _demo(options: argparse.Namespace) -> int:
@@ -159,14 +180,14 @@ def _pause(options: argparse.Namespace) -> int:
     check_environment(os.environ)
     from srnn_bringup.pausing import run_pause
 
-    return run_pause(options.peer)
+    return run_pause(options.peer, options.secure)
 
 
 def _resume(options: argparse.Namespace) -> int:
     check_environment(os.environ)
     from srnn_bringup.pausing import run_resume
 
-    return run_resume(options.peer)
+    return run_resume(options.peer, options.secure)
 
 
 def _doctor(_: argparse.Namespace) -> int:

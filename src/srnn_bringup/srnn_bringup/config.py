@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from lwr_description import Mount
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_tracking.core.parameters import TrackerParameters
+from srnn_access import Key, key_file
 from srnn_bringup.errors import ChoiceError, ConfigDirectoryError
 from srnn_config import Parameters, build, parameter, read_yaml
 from srnn_config.scene import Scene, load_scene
@@ -75,6 +76,8 @@ class Choices:
         seed: seed of all random numbers.
         initial_weights: weight file to start from.
         weights_file: weight file that is written.
+        key_file: file with the key that the nodes share.
+        keystore: directory of the keystore that protects the graph.
 
     """
 
@@ -85,6 +88,8 @@ class Choices:
     seed: int = 0
     initial_weights: Path | None = None
     weights_file: Path | None = None
+    key_file: Path | None = None
+    keystore: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -99,6 +104,8 @@ class Configuration(Parameters):
         tracking: content of tracking.yaml.
         initial_weights: absolute path of the weights to start from, None for the prior.
         weights_file: absolute path of the weights that are written, None for none.
+        key_file: absolute path of the key that the nodes share, None for none.
+        keystore: absolute path of the keystore that protects the graph, None for none.
 
     """
 
@@ -109,6 +116,8 @@ class Configuration(Parameters):
     tracking: TrackingFile
     initial_weights: Path | None = None
     weights_file: Path | None = None
+    key_file: Path | None = None
+    keystore: Path | None = None
     seed: int = parameter(
         0, minimum=0, maximum=SEED_MAX, doc='Seed of all random numbers of the graph.'
     )
@@ -149,6 +158,15 @@ class Configuration(Parameters):
             return neurons.prior_weights
         return neurons.check_weights(weights_file.load(self.initial_weights).matrix)
 
+    def key(self) -> Key | None:
+        """Return the key that the nodes share, None if they have none.
+
+        Raises:
+            AccessError: the key file is missing, or not as it must be.
+
+        """
+        return None if self.key_file is None else key_file.load(self.key_file)
+
 
 def load(choices: Choices, directory: Path | None = None) -> Configuration:
     """Read and check all that the graph needs.
@@ -161,6 +179,7 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         ConfigError: a file cannot be read, a key is unknown or a value impossible.
         BringupError: there is no configuration, or the choices do not fit.
         SrnnError: the weight file does not fit.
+        AccessError: the key file is missing, or not as it must be.
 
     """
     directory = config_directory() if directory is None else directory
@@ -174,9 +193,12 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         tracking=_read(TrackingFile, directory / 'tracking.yaml'),
         initial_weights=_absolute(choices.initial_weights),
         weights_file=_absolute(choices.weights_file),
+        key_file=_absolute(choices.key_file),
+        keystore=_absolute(choices.keystore),
         seed=choices.seed,
     )
     configuration.start_weights()
+    configuration.key()
     return configuration
 
 

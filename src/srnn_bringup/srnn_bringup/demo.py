@@ -62,7 +62,8 @@ def run_demo(configuration: Configuration, segments: int, outputs: Outputs) -> i
         try:
             with LiveGraph(configuration, stop, console.note) as graph:
                 names = graph.names
-                _run(graph, recorder, console, progress, segments)
+                observer = Observer(graph.node, recorder, configuration.key())
+                _run(graph, observer, console, progress, segments)
         except Interrupted as wish:
             code = 128 + signal.Signals[str(wish)]
             console.note(f'stopped by {wish}')
@@ -75,9 +76,8 @@ def run_demo(configuration: Configuration, segments: int, outputs: Outputs) -> i
 
 
 def _run(
-    graph: LiveGraph, recorder: Recorder, console: Console, progress: Progress, segments: int
+    graph: LiveGraph, observer: Observer, console: Console, progress: Progress, segments: int
 ) -> None:
-    observer = Observer(graph.node, recorder)
     graph.configure()
     if not graph.pump.until(observer.connected, DISCOVERY_S):
         raise NotReadyError(f'the topics of the graph do not appear within {DISCOVERY_S:g} s')
@@ -86,7 +86,7 @@ def _run(
     progress.began = progress.last_end = time.monotonic()
     while progress.shown < segments:
         graph.pump.turn()
-        _show(recorder, console, progress, segments)
+        _show(observer.recorder, console, progress, segments)
         if time.monotonic() - progress.last_end > SILENCE_S:
             raise NotReadyError(f'no segment has ended for {SILENCE_S:g} s')
 

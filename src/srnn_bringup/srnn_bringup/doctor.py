@@ -24,8 +24,9 @@ PYTHON = (3, 11)
 NEEDED = (
     'numpy', 'numba', 'mujoco', 'yaml', 'matplotlib', 'rclpy', 'lifecycle_msgs',
     'std_msgs', 'std_srvs', 'geometry_msgs', 'nav_msgs', 'sensor_msgs', 'trajectory_msgs',
-    'visualization_msgs', 'diagnostic_msgs', 'srnn_config', 'srnn_msgs_py', 'srnn_node',
-    'srnn_planner', 'lwr_description', 'lwr_guard', 'lwr_tracking', 'lwr_sim_bridge',
+    'visualization_msgs', 'diagnostic_msgs', 'cryptography', 'srnn_access', 'srnn_config',
+    'srnn_msgs_py',
+    'srnn_node', 'srnn_planner', 'lwr_description', 'lwr_guard', 'lwr_tracking', 'lwr_sim_bridge',
 )  # fmt: skip
 
 _DISTRIBUTIONS = {'yaml': 'PyYAML'}
@@ -72,6 +73,7 @@ def examine(environ: Mapping[str, str] = os.environ) -> Iterator[Finding]:
     yield _configuration()
     yield from _rights()
     yield from _middleware(environ)
+    yield _security(environ)
 
 
 def _python() -> Finding:
@@ -131,3 +133,16 @@ def _middleware(environ: Mapping[str, str]) -> Iterator[Finding]:
     tested = middleware == FAST_DDS
     words = middleware if tested else f'{middleware}: only {FAST_DDS} is tested'
     yield Finding(MIDDLEWARE, Verdict.OK if tested else Verdict.NOTE, words)
+
+
+def _security(environ: Mapping[str, str]) -> Finding:
+    try:
+        from srnn_bringup.security import lack_of_security
+
+        lack = lack_of_security(environ)
+    except (BringupError, ImportError) as error:
+        lack = str(error)
+    if lack:
+        words = f'not available ({lack}): use a key, srnn up --key FILE'
+        return Finding('DDS security', Verdict.NOTE, words)
+    return Finding('DDS security', Verdict.OK, 'available: srnn up --secure KEYSTORE')

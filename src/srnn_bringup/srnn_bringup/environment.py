@@ -2,7 +2,9 @@
 """What the processes of the graph find in their environment."""
 
 from collections.abc import Mapping
+from pathlib import Path
 
+from srnn_bringup.access import enclave
 from srnn_bringup.config import config_directory
 from srnn_bringup.errors import ChoiceError
 
@@ -46,6 +48,11 @@ def check_environment(environ: Mapping[str, str]) -> None:
         )
 
 
+def domain_id(environ: Mapping[str, str]) -> int:
+    """Return the domain of the graph; the environment has been checked."""
+    return int(environ.get(DOMAIN_ID) or 0)
+
+
 def uses_loopback(environ: Mapping[str, str]) -> bool:
     """Tell whether the graph talks over the loopback interface, by `config/fastdds.xml`.
 
@@ -58,11 +65,18 @@ def uses_loopback(environ: Mapping[str, str]) -> bool:
     )
 
 
-def graph_environment(environ: Mapping[str, str]) -> dict[str, str]:
+def graph_environment(
+    environ: Mapping[str, str], keystore: Path | None = None
+) -> dict[str, str]:
     """Return the environment of the whole graph.
 
     Unless the user decided otherwise, nobody outside this host takes part, and a node
     that was restarted is found at once. The ROS_DOMAIN_ID is that of the user.
+
+    Args:
+        environ: environment of the user.
+        keystore: directory of the keystore that protects the graph, None for none.
+
     """
     # Matrices here are small: more threads only get in the way of the real-time loops.
     defaults = {DISCOVERY_RANGE: 'LOCALHOST', **dict.fromkeys(_THREADS, '1')}
@@ -72,4 +86,19 @@ def graph_environment(environ: Mapping[str, str]) -> dict[str, str]:
         # For its LOCALHOST, the middleware would add shared memory to what a profile says.
         chosen[DISCOVERY_RANGE] = 'SYSTEM_DEFAULT'
         chosen[PROFILES] = str(config_directory() / 'fastdds.xml')
-    return chosen
+    return chosen if keystore is None else {**chosen, **security_variables(keystore)}
+
+
+def security_variables(keystore: Path) -> dict[str, str]:
+    """Return what makes ROS take part with the enclaves of a keystore, or not at all."""
+    return {
+        'ROS_SECURITY_KEYSTORE': str(keystore),
+        'ROS_SECURITY_ENABLE': 'true',
+        # Permissive says nothing and runs a node unprotected where its enclave is missing.
+        'ROS_SECURITY_STRATEGY': 'Enforce',
+    }
+
+
+def security_arguments(member: str, keystore: Path | None) -> list[str]:
+    """Return the ROS arguments that put a process into its enclave, none without a keystore."""
+    return [] if keystore is None else ['--ros-args', '--enclave', enclave(member)]

@@ -26,5 +26,13 @@ class NotReadyError(BringupError, TimeoutError):
     """Something did not happen within the time it may take."""
 
 
+class KeystoreError(BringupError, OSError):
+    """A keystore cannot be made there, or lacks something."""
+
+
+class SecurityError(BringupError, PermissionError):
+    """The middleware does not protect the graph, or does not let it in."""
+
+
 class Interrupted(BringupError):  # noqa: N818  # a wish, not a mistake
     """The user asked to stop; the text is the name of the signal."""

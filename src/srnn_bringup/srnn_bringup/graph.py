@@ -87,6 +87,11 @@ def describe(
     )  # fmt: skip
 
 
+def access(configuration: Configuration) -> dict[str, str]:
+    """Return the parameters by which every node knows whom to believe."""
+    return {'key_file': _text(configuration.key_file)}
+
+
 def part(text: str) -> tuple[str, ...]:
     """Return the names in a list with commas, in the order in which they are brought up.
 

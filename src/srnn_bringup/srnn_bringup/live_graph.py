@@ -13,8 +13,9 @@ import time
 from types import TracebackType
 from typing import Self
 
+from srnn_bringup.access import COMMAND
 from srnn_bringup.config import Configuration
-from srnn_bringup.environment import DOMAIN_ID, graph_environment
+from srnn_bringup.environment import DOMAIN_ID, graph_environment, security_arguments
 from srnn_bringup.errors import (
     BringupError,
     ChoiceError,
@@ -22,7 +23,7 @@ from srnn_bringup.errors import (
     NodeDiedError,
     TransitionError,
 )
-from srnn_bringup.graph import NAMES, NodeDescription, describe, write_parameters
+from srnn_bringup.graph import NAMES, NodeDescription, access, describe, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.restarts import Restarts
 from srnn_bringup.session import session
@@ -136,24 +137,33 @@ class LiveGraph:
         """
         description = self._descriptions[self.names.index(name)]
         paused = name in self._states.paused
-        self._supervisor.start(command(description, self._files[name], True, paused))
+        self._supervisor.start(self._command(description, autostart=True, paused=paused))
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
         whole = describe(self._configuration, directory)
         self._descriptions = tuple(node for node in whole if node.name in self.names)
-        self._files = write_parameters(self._descriptions, directory)
+        self._files = write_parameters(
+            self._descriptions, directory, **access(self._configuration)
+        )
         self._say(f'starting {", ".join(self.names)}')
         # Before this process has the threads of the middleware, it may fork safely.
         self._supervisor = stack.enter_context(Supervisor(directory))
         for description in self._descriptions:
-            self._supervisor.start(command(description, self._files[description.name]))
-        self.node, self.pump = stack.enter_context(session('srnn', self._guard))
+            self._supervisor.start(self._command(description))
+        keystore = self._configuration.keystore
+        self.node, self.pump = stack.enter_context(session(COMMAND, self._guard, keystore))
         self._states = States(self.node, self.names)
         self._clients = [
             LifecycleClient(self.node, name, partial(self._last_error, name))
             for name in self.names
         ]
+
+    def _command(
+        self, description: NodeDescription, autostart: bool = False, paused: bool = False
+    ) -> Command:
+        keystore = self._configuration.keystore
+        return command(description, self._files[description.name], keystore, autostart, paused)
 
     def _deactivate(self) -> None:
         pump = self.pump.unguarded()
@@ -187,16 +197,21 @@ class LiveGraph:
 
 
 def command(
-    description: NodeDescription, parameters: Path, autostart: bool = False, paused: bool = False
+    description: NodeDescription,
+    parameters: Path,
+    keystore: Path | None = None,
+    autostart: bool = False,
+    paused: bool = False,
 ) -> Command:
-    """Return the process of a node with its parameter file."""
+    """Return the process of a node with its parameter file, in its enclave of a keystore."""
     arguments: tuple[str, ...] = ('--ros-args', '--params-file', str(parameters))
     if autostart:
         arguments += ('-p', 'autostart:=true', '-p', f'paused:={str(paused).lower()}')
+    enclave = security_arguments(description.name, keystore)
     return Command(
         description.name,
-        (sys.executable, '-m', description.module, *arguments),
-        graph_environment(os.environ),
+        (sys.executable, '-m', description.module, *arguments, *enclave),
+        graph_environment(os.environ, keystore),
     )
 
 

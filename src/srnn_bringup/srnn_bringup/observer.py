@@ -5,29 +5,40 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+import time
 from typing import Any
 
 import numpy as np
 from rclpy.node import Node
 
+from srnn_access import Key
 from srnn_bringup.recorder import Recorder
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.ros import diagnostics, dissonance, executed, result, segment, weights, wrench
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import topic
+from srnn_node.inlet import Inlet
 
 HISTORY = 100
 """Samples kept for a listener that wants all of them, however busy the machine is."""
 
 
 class Observer:
-    """Subscribes to what a report needs; whatever cannot be read is left out."""
+    """Subscribes to what a report needs.
 
-    def __init__(self, node: Node, recorder: Recorder) -> None:
-        """Hand to `recorder` what `node` hears."""
+    Whatever cannot be read, or does not come from whom it may come, is left out.
+
+    Attributes:
+        recorder: gets what is heard.
+
+    """
+
+    def __init__(self, node: Node, recorder: Recorder, key: Key | None = None) -> None:
+        """Hand to `recorder` what `node` hears, by the same rules as the nodes with this key."""
         self._node = node
-        self._recorder = recorder
+        self._key = key
+        self.recorder = recorder
         self._subscriptions = [
             self._listen('segment', segment.from_msg, recorder.segment),
             self._listen('executed', executed.from_msg, recorder.executed),
@@ -45,13 +56,18 @@ class Observer:
     def _listen(self, name: str, read: Callable[[Any], Any], take: Callable[[Any], None]) -> Any:
         row = topic(name)
         qos = profile(replace(row.qos, depth=max(row.qos.depth, HISTORY)))
-        callback = partial(_hand_over, read, take)
+        inlet = Inlet(row, self._node.resolve_topic_name(row.name), self._key)
+        callback = partial(_hand_over, inlet, read, take)
         return self._node.create_subscription(
             message_type(row.type_name), row.name, callback, qos
         )
 
 
-def _hand_over(read: Callable[[Any], Any], take: Callable[[Any], None], msg: Any) -> None:
+def _hand_over(
+    inlet: Inlet, read: Callable[[Any], Any], take: Callable[[Any], None], msg: Any
+) -> None:
+    if inlet.judge(msg, time.monotonic(), time.time_ns()) is not None:
+        return
     with suppress(MessageError):
         take(read(msg))
 

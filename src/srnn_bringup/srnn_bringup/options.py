@@ -55,6 +55,14 @@ def add_seed(parser: argparse.ArgumentParser, text: str) -> None:
     )
 
 
+def add_keystore(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of DDS security."""
+    parser.add_argument(
+        '--secure', type=existing_directory, metavar='KEYSTORE',
+        help='keystore of DDS security: nobody takes part without a key, or beyond its rights',
+    )
+
+
 def add_peers(parser: argparse.ArgumentParser) -> None:
     """Add the names of other hosts."""
     parser.add_argument(
@@ -126,6 +134,14 @@ def new_file(text: str) -> Path:
         raise argparse.ArgumentTypeError(f'{text!r}: is a directory')
     if not path.resolve().parent.is_dir():
         raise argparse.ArgumentTypeError(f'{text!r}: there is no directory {str(path.parent)!r}')
+    return path
+
+
+def existing_directory(text: str) -> Path:
+    """Read the path of a directory that is there."""
+    path = Path(text)
+    if not path.is_dir():
+        raise argparse.ArgumentTypeError(f'{text!r}: there is no such directory')
     return path
 
 

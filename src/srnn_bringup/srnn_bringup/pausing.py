@@ -4,6 +4,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 import os
+from pathlib import Path
 import signal
 import sys
 
@@ -98,24 +99,25 @@ class RunningGraph:
             self._pump.until(self._standstill, REST_S)
 
 
-def run_pause(peers: Sequence[Peer]) -> int:
+def run_pause(peers: Sequence[Peer], keystore: Path | None) -> int:
     """Pause the graph of this domain; return the exit code."""
-    return _run('pause', RunningGraph.pause, peers)
+    return _run('pause', RunningGraph.pause, peers, keystore)
 
 
-def run_resume(peers: Sequence[Peer]) -> int:
+def run_resume(peers: Sequence[Peer], keystore: Path | None) -> int:
     """Resume the graph of this domain; return the exit code."""
-    return _run('resume', RunningGraph.resume, peers)
+    return _run('resume', RunningGraph.resume, peers, keystore)
 
 
 def _run(
     command: str,
     action: Callable[[RunningGraph, Callable[[str], None]], None],
     peers: Sequence[Peer],
+    keystore: Path | None,
 ) -> int:
     with talking_to(peers), StopRequest() as stop:
         try:
-            with running_graph(f'srnn_{command}', stop) as graph:
+            with running_graph(f'srnn_{command}', stop, keystore) as graph:
                 action(graph, Console(sys.stdout).note)
             return 0
         except Interrupted as wish:
@@ -126,12 +128,15 @@ def _run(
 
 
 @contextmanager
-def running_graph(name: str, stop: StopRequest) -> Iterator[RunningGraph]:
+def running_graph(
+    name: str, stop: StopRequest, keystore: Path | None = None
+) -> Iterator[RunningGraph]:
     """Find the nodes that run in this domain.
 
     Args:
         name: what to be called there.
         stop: tells when the user wants to stop.
+        keystore: keystore that protects the graph, None for none.
 
     Raises:
         ChoiceError: there are none.
@@ -142,7 +147,7 @@ def running_graph(name: str, stop: StopRequest) -> Iterator[RunningGraph]:
         if stop.name is not None:
             raise Interrupted(stop.name)
 
-    with session(name, guard) as (node, pump):
+    with session(name, guard, keystore) as (node, pump):
         standstill = Standstill(node)
         pump.until(lambda: set(NAMES) <= set(node.get_node_names()), LOOK_S)
         seen = set(node.get_node_names())

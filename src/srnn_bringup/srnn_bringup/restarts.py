@@ -7,7 +7,7 @@ FIRST_S = 0.1
 LONGEST_S = 10.0
 """Longest pause; with every death in a row it doubles up to here [s]."""
 
-STEADY_S = 30.0
+STEADY_S = 10.0
 """Who lives for this long starts with the first pause again [s]."""
 
 

@@ -4,32 +4,52 @@
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 import os
+from pathlib import Path
 
 import rclpy
 from rclpy.experimental import EventsExecutor
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
-from srnn_bringup.environment import graph_environment
+from srnn_bringup.access import COMMAND
+from srnn_bringup.environment import graph_environment, security_arguments
+from srnn_bringup.errors import SecurityError
 from srnn_bringup.pump import Pump
 
 
 @contextmanager
-def session(name: str, guard: Callable[[], None]) -> Iterator[tuple[Node, Pump]]:
+def session(
+    name: str, guard: Callable[[], None], keystore: Path | None = None
+) -> Iterator[tuple[Node, Pump]]:
     """Take part in the middleware; yield the node, and the pump that handles its events.
 
     Args:
         name: name of the node.
         guard: raises when it is time to stop.
+        keystore: keystore that protects the graph, None for none.
+
+    Raises:
+        SecurityError: the middleware does not let this process in.
 
     """
-    os.environ.update(graph_environment(os.environ))
+    os.environ.update(graph_environment(os.environ, keystore))
     with ExitStack() as stack:
-        rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
         stack.callback(rclpy.try_shutdown)
-        node = Node(name, enable_rosout=False, start_parameter_services=False)
+        node = _enter(name, keystore)
         stack.callback(node.destroy_node)
         executor = EventsExecutor()
         stack.callback(executor.shutdown)
         executor.add_node(node)
         yield node, Pump(executor, guard)
+
+
+def _enter(name: str, keystore: Path | None) -> Node:
+    try:
+        rclpy.init(
+            args=security_arguments(COMMAND, keystore),
+            signal_handler_options=SignalHandlerOptions.NO,
+        )
+        return Node(name, enable_rosout=False, start_parameter_services=False)
+    except rclpy_implementation.RCLError as error:
+        raise SecurityError(f'the middleware does not let {name} in: {error}') from error

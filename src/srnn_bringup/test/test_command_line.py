@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 import pytest
 
+from srnn_access import key_file
 from srnn_bringup import cli
-from srnn_bringup.graph import NAMES
+from srnn_bringup.graph import NAMES, access
 from srnn_bringup.report import Outputs
 
 
@@ -10,6 +11,14 @@ from srnn_bringup.report import Outputs
     ('line', 'words'),
     [
         ('dmo', "'demo', 'up', 'pause', 'resume', 'doctor'"),
+        ('demo --key /nowhere.key', 'key file /nowhere.key: there is no such file'),
+        ('up --key /', 'key file /: must be a regular file'),
+        ('up --ky /nowhere.key', "did you mean '--key'?"),
+        ('key', 'ACTION'),
+        ('key mend', "'create'"),
+        ('key create', 'FILE'),
+        ('key create a.key b.key', "unknown argument 'b.key'"),
+        ('key create /nowhere/a.key', "no directory '/nowhere'"),
         ('', 'COMMAND'),
         ('demo --signl local', "did you mean '--signal'?"),
         ('demo --signal locl', "'none', 'global', 'local', 'constant', 'untriggered'"),
@@ -67,14 +76,16 @@ def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):
     assert "did you mean 'velocity'?" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize('command', [[], ['demo'], ['up'], ['pause'], ['resume'], ['doctor']])
+@pytest.mark.parametrize(
+    'command', [[], ['demo'], ['up'], ['pause'], ['resume'], ['doctor'], ['key', 'create']]
+)
 def test_help_explains_every_option(command, capsys):
     with pytest.raises(SystemExit) as end:
         cli.main([*command, '--help'])
     assert end.value.code == 0
     text = capsys.readouterr().out
     assert text.startswith('usage: srnn')
-    assert 'ROS_DOMAIN_ID' in text or not command
+    assert 'ROS_DOMAIN_ID' in text or not command or command[0] == 'key'
 
 
 def test_options_reach_the_demo(tmp_path, monkeypatch):
@@ -88,6 +99,25 @@ def test_options_reach_the_demo(tmp_path, monkeypatch):
     ((configuration, segments, outputs),) = calls
     assert (configuration.learning.signal, configuration.seed, segments) == ('global', 4, 9)
     assert outputs == Outputs(picture=picture, json=figures)
+
+
+def test_a_key_is_made_once_and_reaches_the_graph(tmp_path, monkeypatch, capsys):
+    path = tmp_path / 'graph.key'
+    assert cli.main(['key', 'create', str(path)]) == 0
+    assert key_file.load(path).fingerprint in capsys.readouterr().out
+    assert cli.main(['key', 'create', str(path)]) == 2
+    assert 'never overwritten' in capsys.readouterr().err
+    configurations = []
+    monkeypatch.setattr('srnn_bringup.up.run_up', lambda c, *_: configurations.append(c) or 0)
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(['up', '--key', 'graph.key']) == 0
+    assert cli.main(['up']) == 0
+    assert [access(c)['key_file'] for c in configurations] == [str(path), '']
+    assert configurations[0].key().secret == key_file.load(path).secret
+    assert configurations[1].key() is None
+    path.chmod(0o640)
+    assert cli.main(['up', '--key', 'graph.key']) == 2
+    assert 'others than its owner may use it' in capsys.readouterr().err
 
 
 def test_a_part_of_the_graph_starts_in_the_usual_order(monkeypatch):

@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 import pytest
 
-from srnn_bringup import doctor
+from srnn_bringup import doctor, security
 from srnn_bringup.doctor import Finding, Verdict, examine, run_doctor
+from srnn_bringup.errors import NotReadyError
+
+
+@pytest.fixture(autouse=True)
+def trial(monkeypatch):
+    """Trying out the middleware takes seconds; let it have nothing to say."""
+    monkeypatch.setattr(security, 'lack_of_security', lambda environ: '')
 
 
 def findings(environ):
@@ -35,6 +42,26 @@ def test_being_open_to_other_hosts_is_noted(environ, verdict, words):
 def test_untested_middleware_is_noted():
     found = findings({'RMW_IMPLEMENTATION': 'rmw_other'})['RMW_IMPLEMENTATION']
     assert found.verdict is Verdict.NOTE
+
+
+def test_dds_security_is_available_where_nothing_is_lacking():
+    found = findings({})['DDS security']
+    assert found.verdict is Verdict.OK
+    assert '--secure' in found.words
+
+
+@pytest.mark.parametrize('raises', [False, True])
+def test_without_dds_security_the_way_out_is_named(monkeypatch, raises):
+    def trial(environ):
+        if raises:
+            raise NotReadyError('no plug-ins')
+        return 'no plug-ins'
+
+    monkeypatch.setattr(security, 'lack_of_security', trial)
+    found = findings({})['DDS security']
+    assert found.verdict is Verdict.NOTE
+    assert 'no plug-ins' in found.words
+    assert '--key' in found.words
 
 
 def test_a_package_that_is_not_there_is_missing(monkeypatch):

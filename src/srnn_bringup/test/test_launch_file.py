@@ -9,6 +9,7 @@ from types import ModuleType
 import pytest
 import yaml
 
+from srnn_access import key_file
 from srnn_bringup.config import Choices, load
 from srnn_bringup.graph import NAMES, describe
 
@@ -47,15 +48,19 @@ def launch_file(monkeypatch, tmp_path):
 def test_arguments_have_defaults_and_choices(launch_file):
     (entities,) = launch_file['generate_launch_description']().positional
     arguments = {entity.positional[0]: entity.named for entity in entities if entity.positional}
-    assert set(arguments) == {'arm', 'scene', 'signal', 'seed', 'only'}
+    assert set(arguments) == {'arm', 'scene', 'signal', 'seed', 'key', 'only'}
     assert arguments['arm']['choices'] == ['sim']
     assert arguments['scene']['default_value'] == 'four_waypoints'
 
 
+@pytest.mark.parametrize('keyed', [True, False])
 @pytest.mark.parametrize('only', [NAMES, ('tracker', 'planner')])
-def test_launched_nodes_are_those_of_the_graph(launch_file, only):
+def test_launched_nodes_are_those_of_the_graph(launch_file, tmp_path, keyed, only):
+    key = str(tmp_path / 'graph.key') if keyed else ''
+    if keyed:
+        key_file.create(Path(key))
     context = {
-        'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3',
+        'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3', 'key': key,
         'only': ','.join(reversed(only)),
     }  # fmt: skip
     launched = launch_file['launch_nodes'](context)
@@ -70,4 +75,6 @@ def test_launched_nodes_are_those_of_the_graph(launch_file, only):
         assert node.named['respawn_delay'] > 0.0
         (path,) = node.named['parameters']
         (content,) = yaml.safe_load(Path(path).read_text()).values()
-        assert content['ros__parameters'] == {**description.parameters, 'autostart': True}
+        assert content['ros__parameters'] == {
+            **description.parameters, 'autostart': True, 'key_file': key,
+        }

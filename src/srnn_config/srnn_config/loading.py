@@ -6,10 +6,10 @@ import dataclasses
 from pathlib import Path
 from typing import Any, TypeVar, get_type_hints
 
-import yaml
-
-from srnn_config.errors import ConfigError, ConfigFileError, ParameterError, UnknownKeyError
+from srnn_config.errors import ConfigFileError, ParameterError, UnknownKeyError
 from srnn_config.fields import Parameters, spec_of
+from srnn_config.plain_yaml import parse
+from srnn_config.regular_file import read_regular
 
 P = TypeVar('P', bound=Parameters)
 
@@ -23,20 +23,15 @@ def read_yaml(path: str | Path) -> dict[str, Any]:
         path: file to read, at most `MAX_FILE_BYTES` long.
 
     Raises:
-        ConfigFileError: the file is missing, too large, not YAML or no mapping.
+        ConfigFileError: the file is missing, no regular file, too large, not YAML, beyond
+            the limits of `plain_yaml`, or no mapping.
 
     """
-    path = Path(path)
     try:
-        if path.stat().st_size > MAX_FILE_BYTES:
-            raise ConfigFileError(f'{path}: larger than {MAX_FILE_BYTES} bytes')
-        data = yaml.safe_load(path.read_text(encoding='utf-8'))
-    except yaml.YAMLError as error:
-        raise ConfigFileError(f'{path}: not valid YAML: {error}') from error
-    except (OSError, UnicodeDecodeError) as error:
-        if isinstance(error, ConfigError):
-            raise
+        text = read_regular(path, MAX_FILE_BYTES).decode('utf-8')
+    except UnicodeDecodeError as error:
         raise ConfigFileError(f'{path}: cannot be read: {error}') from error
+    data = parse(text, str(path))
     if not isinstance(data, dict):
         raise ConfigFileError(f'{path}: must hold a mapping of keys to values')
     return data

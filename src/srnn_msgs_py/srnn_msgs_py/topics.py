@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 
 from srnn_msgs_py.errors import UnknownTopicError
+from srnn_msgs_py.ownership import COMMAND, KEYED, MOVING, Ownership
 from srnn_msgs_py.qos import EVENT, LATCHED, MOTION, SENSOR, Qos
 
 NODES = ('planner', 'adapter', 'tracker', 'sim_bridge')
@@ -21,6 +22,7 @@ class Topic:
         publishers: who writes it.
         subscribers: who reads it.
         meaning: one line for the user.
+        ownership: how its messages tell who sent them; None for not at all.
 
     """
 
@@ -30,6 +32,7 @@ class Topic:
     publishers: tuple[str, ...]
     subscribers: tuple[str, ...]
     meaning: str
+    ownership: Ownership | None = None
 
 
 TOPICS = (
@@ -40,41 +43,45 @@ TOPICS = (
     Topic(
         'segment', 'trajectory_msgs/msg/JointTrajectory', MOTION,
         ('planner',), ('tracker', 'adapter'),
-        'next planned motion of the tip; its stamp is its identity',
+        'next planned motion of the tip; its stamp is its identity', MOVING,
     ),
     Topic(
         'executed', 'trajectory_msgs/msg/JointTrajectory', EVENT,
         ('tracker',), ('planner', 'adapter'),
-        'measured path of the tip, with the stamp of its segment',
+        'measured path of the tip, with the stamp of its segment', KEYED,
     ),
     Topic(
         'segment_result', 'diagnostic_msgs/msg/DiagnosticStatus', EVENT,
         ('tracker',), ('planner', 'sim_bridge', 'user'),
-        'how a segment ended: DONE, BLOCKED, REJECTED, STALE or FAULT, and why',
+        'how a segment ended: DONE, BLOCKED, REJECTED, STALE or FAULT, and why', KEYED,
     ),
     Topic(
         'weights', 'std_msgs/msg/Float32MultiArray', LATCHED, ('adapter',), ('planner',),
-        'recurrent weights with version and checksum',
+        'recurrent weights with version and checksum', KEYED,
+    ),
+    Topic(
+        'weights_refused', 'std_msgs/msg/Int64MultiArray', LATCHED, ('planner',), ('adapter',),
+        'version with which nothing can be planned, the good one before it, and why', KEYED,
     ),
     Topic(
         'dissonance', 'std_msgs/msg/Float32MultiArray', EVENT,
         ('adapter',), ('planner', 'user'),
-        'learning signal of a segment and whether it changed the weights',
+        'learning signal of a segment and whether it changed the weights', KEYED,
     ),
     Topic(
         'current_pose', 'geometry_msgs/msg/PoseStamped', MOTION,
         ('tracker',), ('planner', 'view'),
-        'measured tip at 50 Hz',
+        'measured tip at 50 Hz', KEYED,
     ),
     Topic(
         'joint_states', 'sensor_msgs/msg/JointState', MOTION,
         ('sim_bridge',), ('tracker', 'view'),
-        'measured joint angles, velocities and torques (effort)',
+        'measured joint angles, velocities and torques (effort)', KEYED,
     ),
     Topic(
         'external_torque/joint_states', 'sensor_msgs/msg/JointState', MOTION,
         ('sim_bridge',), ('tracker',),
-        "the arm's own estimate of the external joint torques (effort)",
+        "the arm's own estimate of the external joint torques (effort)", KEYED,
     ),
     Topic(
         'wrench', 'geometry_msgs/msg/WrenchStamped', MOTION, ('sim_bridge',), ('view',),
@@ -83,7 +90,7 @@ TOPICS = (
     Topic(
         'forward_position_controller/commands', 'std_msgs/msg/Float64MultiArray', MOTION,
         ('tracker',), ('sim_bridge',),
-        'joint angles to go to, at the rate of the joint states',
+        'joint angles to go to, at the rate of the joint states', COMMAND,
     ),
     Topic(
         'contact_truth', 'geometry_msgs/msg/WrenchStamped', SENSOR,
@@ -132,11 +139,14 @@ def topic(name: str) -> Topic:
 
 def markdown_table() -> str:
     """Return the table in Markdown, as the README shows it."""
-    lines = ['| topic | type | from → to | QoS | meaning |', '|---|---|---|---|---|']
+    lines = [
+        '| topic | type | from → to | QoS | marked | meaning |',
+        '|---|---|---|---|---|---|',
+    ]
     for row in TOPICS:
         ends = f'{", ".join(row.publishers)} → {", ".join(row.subscribers)}'
         short_type = row.type_name.replace('/msg/', '/')
-        lines.append(
-            f'| `{row.name}` | {short_type} | {ends} | {row.qos.words()} | {row.meaning} |'
-        )
+        marked = row.ownership.words() if row.ownership else ''
+        cells = (f'`{row.name}`', short_type, ends, row.qos.words(), marked, row.meaning)
+        lines.append(f'| {" | ".join(cells)} |')
     return '\n'.join(lines) + '\n'

@@ -8,13 +8,16 @@ import zlib
 import numpy as np
 from numpy.typing import NDArray
 
+MAX_VERSION = 1_000_000_000
+"""Highest version; one update a second takes thirty years to get there."""
+
 
 @dataclass(frozen=True, eq=False)
 class WeightsUpdate:
     """Weights that the adapter has learned, with where they come from.
 
     Attributes:
-        version: number of updates since the prior; 0 is the prior itself.
+        version: number of updates since the prior, at most `MAX_VERSION`; 0 is the prior.
         segment_stamp_ns: identity of the segment learned from [ns]; 0 for the prior.
         matrix: (K, K) float32 weights in [-1, 1]; row = presynaptic neuron k,
             column = postsynaptic neuron i, as w_ki in Tanneberg et al. 2019.

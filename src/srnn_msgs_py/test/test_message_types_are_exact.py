@@ -6,6 +6,7 @@ import numpy as np
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health
 from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.refusal import WeightsRefusal
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import (
     commands,
@@ -15,6 +16,7 @@ from srnn_msgs_py.ros import (
     joints,
     path,
     pose,
+    refusal,
     result,
     segment,
     waypoints,
@@ -42,6 +44,7 @@ def messages():
     yield from joints.to_msgs(JointSample(STAMP, WHOLE[0], SINGLE[0], WHOLE[1], SINGLE[1]), NAMES)
     yield commands.to_msg(WHOLE[0])
     yield weights.to_msg(WeightsUpdate(np.int32(3), STAMP, np.eye(3, dtype=int)))
+    yield refusal.to_msg(WeightsRefusal(np.int32(3), np.int64(2), np.str_('dead')))
     yield dissonance.to_msg(
         Dissonance(
             STAMP, np.str_('local'), np.True_, np.int32(2), np.float32(0.25), TIMES, TIMES, 3

@@ -4,9 +4,13 @@ from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
 from srnn_msgs_py.errors import MessageError, UnknownTopicError
 from srnn_msgs_py.qos import PROFILES
+from srnn_msgs_py.ros.mark_carrier import mark_carrier
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import NODES, TOPICS, markdown_table, topic
+
+RESTART_S = 0.6
+"""No node is back sooner after it was killed."""
 
 
 def test_every_topic_is_named_once_and_found_by_name():
@@ -36,6 +40,17 @@ def test_nothing_that_moves_the_arm_is_queued(row):
         assert profile(row.qos).depth == 1
 
 
+@pytest.mark.parametrize('row', TOPICS, ids=lambda row: row.name)
+def test_what_nodes_tell_each_other_says_who_sent_it(row):
+    between_nodes = set(row.publishers) & set(NODES) and set(row.subscribers) & set(NODES)
+    assert bool(between_nodes) == (row.ownership is not None)
+    if row.ownership is not None:
+        mark_carrier(message_type(row.type_name))
+        assert 0.0 < row.ownership.hold <= RESTART_S
+        moves = row.name == 'segment' or row.name.endswith('/commands')
+        assert row.ownership.always == moves
+
+
 @pytest.mark.parametrize('qos', PROFILES.values(), ids=lambda qos: qos.name)
 def test_profiles_say_what_they_do(qos):
     real = profile(qos)
@@ -60,6 +75,6 @@ def test_an_unknown_type_is_refused(name):
 
 def test_the_markdown_table_has_one_row_per_topic():
     header, rule, *rows = markdown_table().splitlines()
-    assert header.count('|') == rule.count('|') == 6
+    assert header.count('|') == rule.count('|') == 7
     assert [row.split('`')[1] for row in rows] == [row.name for row in TOPICS]
-    assert all(row.count('|') == 6 for row in rows)
+    assert all(row.count('|') == 7 for row in rows)

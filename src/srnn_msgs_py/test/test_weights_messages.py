@@ -8,8 +8,9 @@ from rclpy.serialization import deserialize_message, serialize_message
 from std_msgs.msg import Float32MultiArray, MultiArrayDimension
 
 from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.ros import layout
 from srnn_msgs_py.ros import weights as weight_messages
-from srnn_msgs_py.weights import WeightsUpdate, checksum
+from srnn_msgs_py.weights import MAX_VERSION, WeightsUpdate, checksum
 
 STAMP = 1_795_000_000_123_456_789
 WHOLE = st.integers(0, 2**63 - 1)
@@ -21,7 +22,7 @@ def any_weights(draw):
     count = draw(st.integers(1, 12))
     elements = st.floats(-1.0, 1.0, width=32)
     matrix = draw(hnp.arrays(np.float32, (count, count), elements=elements))
-    return WeightsUpdate(draw(WHOLE), draw(WHOLE), matrix)
+    return WeightsUpdate(draw(st.integers(0, MAX_VERSION)), draw(WHOLE), matrix)
 
 
 def message(count=4):
@@ -115,6 +116,34 @@ def test_no_text_in_a_label_does_more_than_refuse(text):
     msg.layout.dim[2].label = text
     with pytest.raises(MessageError):
         weight_messages.from_msg(msg)
+
+
+@pytest.mark.parametrize('neurons', [3, 5])
+def test_weights_of_another_network_are_refused_before_they_are_copied(neurons, monkeypatch):
+    assert weight_messages.from_msg(message(4), 4).version == 7
+    monkeypatch.setattr(np, 'array', None)
+    with pytest.raises(MessageError, match=rf'shape \(4, 4\): must be \({neurons}, {neurons}\)'):
+        weight_messages.from_msg(message(4), neurons)
+
+
+def test_huge_messages_are_refused_before_they_are_copied(monkeypatch):
+    monkeypatch.setattr(layout, 'MAX_VALUES', 15)
+    monkeypatch.setattr(np, 'array', None)
+    with pytest.raises(MessageError, match='data has 16 values: must be <= 15'):
+        weight_messages.from_msg(message(4))
+
+
+def test_versions_leave_room_for_later_ones():
+    matrix = np.zeros((2, 2), np.float32)
+    last = weight_messages.to_msg(WeightsUpdate(MAX_VERSION, STAMP, matrix))
+    assert weight_messages.from_msg(last).version == MAX_VERSION
+    for version in (-1, MAX_VERSION + 1):
+        with pytest.raises(MessageError, match=f'version = {version}: must be'):
+            weight_messages.to_msg(WeightsUpdate(version, STAMP, matrix))
+    dim = next(d for d in last.layout.dim if d.label.startswith('version'))
+    dim.label = f'version={MAX_VERSION + 1}'
+    with pytest.raises(MessageError, match='version = 1000000001: must be'):
+        weight_messages.from_msg(last)
 
 
 def test_every_dimension_of_the_layout_multiplies_up_to_the_data():

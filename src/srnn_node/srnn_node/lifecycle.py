@@ -2,6 +2,7 @@
 """The base of every node: a managed node that survives what clients ask of it."""
 
 from collections.abc import Callable
+import time
 import traceback
 from typing import Any, ClassVar, TypeVar
 
@@ -15,6 +16,7 @@ from rclpy.lifecycle import (
 )
 from rclpy.subscription import Subscription
 
+from srnn_access import Refusal
 from srnn_config import Parameters
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health
@@ -22,6 +24,7 @@ from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import topic
 from srnn_node import garbage
+from srnn_node.access import Access, declare_key_file
 from srnn_node.diagnostics import HealthReporter
 from srnn_node.entities import EntityLedger
 from srnn_node.parameters import NoParameters, declare_parameters
@@ -71,6 +74,8 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         self._active = False
         for parameter, text in STARTING.items():
             self.declare_parameter(parameter, False, ParameterDescriptor(description=text))
+        declare_key_file(self)
+        self._access = Access(self)
         self._reporter = HealthReporter(self, self._health)
         self._ledger = EntityLedger(self)
 
@@ -103,33 +108,44 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
 
     def advertise(self, name: str) -> LifecyclePublisher:
         """Return a publisher for a topic of the table; it is silent unless active."""
-        row = topic(name)
-        return self.create_lifecycle_publisher(
-            message_type(row.type_name), row.name, profile(row.qos)
-        )
+        return self._access.publisher(topic(name))
 
     def listen(
-        self, name: str, convert: Callable[[Any], V], callback: Callable[[V], None]
+        self,
+        name: str,
+        convert: Callable[[Any], V],
+        callback: Callable[[V], None],
+        not_in_charge: Callable[[V], None] | None = None,
     ) -> Subscription:
         """Return a subscription to a topic of the table.
+
+        Whatever its sender may not send is dropped and counted before anything else.
 
         Args:
             name: name of the topic.
             convert: turns a message into a value, or raises MessageError; such
                 messages are dropped and counted in `refused_messages`.
             callback: gets the value.
+            not_in_charge: gets what a known sender has sent while another is in charge.
 
         """
+        row = topic(name)
+        inlet = self._access.inlet(row)
 
         def receive(msg: Any) -> None:
+            take: Callable[[V], None] | None = callback
+            refusal = inlet.judge(msg, time.monotonic(), time.time_ns())
+            if refusal is not None:
+                take = not_in_charge if refusal is Refusal.NOT_OWNER else None
+            if take is None:
+                return
             try:
                 value = convert(msg)
             except MessageError:
                 self.refused_messages += 1
                 return
-            callback(value)
+            take(value)
 
-        row = topic(name)
         return self.create_subscription(
             message_type(row.type_name), row.name, receive, profile(row.qos)
         )
@@ -202,7 +218,9 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         return SUCCESS
 
     def _configure(self) -> None:
-        self.configure(declare_parameters(self, self.PARAMETERS))
+        parameters = declare_parameters(self, self.PARAMETERS)
+        self._access = Access.configured(self)
+        self.configure(parameters)
 
     def _succeeds(self, transition: str, hook: Callable[[], None]) -> bool:
         self.failure = ''
@@ -222,7 +240,8 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
             'refused_messages': self.refused_messages,
             **health.values,
         }
-        return Health(health.level, health.message or self.state, values)
+        told = self._access.extend(Health(health.level, health.message, values))
+        return Health(told.level, told.message or self.state, told.values)
 
     def _LifecycleNodeMixin__on_change_state(self, request: Any, response: Any) -> Any:  # noqa: N802
         # rclpy lets the error of an impossible transition out of the executor, where it

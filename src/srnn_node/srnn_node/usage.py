@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What ``--help`` prints for a node."""
 
+from srnn_node.access import MEANING, PARAMETER
 from srnn_node.lifecycle import STARTING, WorkspaceNode
 from srnn_node.parameters import leaves
 
@@ -14,6 +15,7 @@ def usage(node_class: type[WorkspaceNode]) -> str:
         '',
         'parameters:',
         *(f'  {name}: {text}' for name, text in STARTING.items()),
+        f'  {PARAMETER}: {MEANING}',
     ]
     for leaf in leaves(node_class.PARAMETERS):
         unit = f' [{leaf.spec.unit}]' if leaf.spec.unit else ''

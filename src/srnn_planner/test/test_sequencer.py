@@ -115,6 +115,13 @@ def test_dead_adapter_delays_planning_only_by_the_bounded_wait(sequencer):
     assert sequencer.request(0.5 + 1.1 * wait) is not None
 
 
+def test_a_contact_whose_path_was_never_heard_is_planned_away_from_where_the_arm_is(sequencer):
+    sequencer.sent(1, straight(), 0.01, now=0.0)
+    sequencer.result(result(1, ResultCode.BLOCKED), now=0.5)
+    request = sequencer.request(0.5 + 1.1 * PLANNING.schedule.learning_wait)
+    assert request.retreat_to is None
+
+
 def touch(sequencer, stamp, path, now):
     """Let a segment end in a contact; return how far the next one goes back [m]."""
     sequencer.sent(stamp, straight(), 0.01, now)

@@ -67,16 +67,21 @@ class Tracker:
         self._parameters = parameters
         self._estimate = TipEstimate(kinematics)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
+        self._ticks = TickWatch(parameters.period)
+        self._last_stamp_ns: int | None = None
+        self._finished: list[Finished] = []
+        self._begin()
+
+    def _begin(self) -> None:
+        """Know nothing of the arm yet."""
+        parameters = self._parameters
         self._contact = ContactObserver(parameters.contact)
         self._watch = JointWatch(parameters.watch, parameters.period)
         self._motion = MotionWatch(parameters.limits)
-        self._ticks = TickWatch(parameters.period)
         self._stops = RepeatedStops(parameters.contact)
         self._load: LoadCheck | None = LoadCheck(parameters.contact.rearm_force)
         self._execution: Execution | None = None
         self._now: float | None = None
-        self._last_stamp_ns: int | None = None
-        self._finished: list[Finished] = []
 
     @property
     def reference(self) -> Reference | None:
@@ -160,10 +165,14 @@ class Tracker:
         self._fault(Condition.SILENT)
 
     def reset(self) -> None:
-        """Forget latched faults; the arm goes on holding where it is."""
-        self.conditions &= ~decide(self.conditions).latched
-        self._watch.restart()
-        self._stops.forget()
+        """Forget latched faults, and hold the arm where it is measured next.
+
+        It may be far from its last command: another arm may have been started in its place.
+        """
+        latched = decide(self.conditions).latched
+        if latched:
+            self._begin()
+            self.conditions = self.conditions & ~latched | Condition.NOT_STARTED
 
     def restore(self, conditions: Condition) -> None:
         """Be stopped until `reset` by what had stopped a predecessor."""

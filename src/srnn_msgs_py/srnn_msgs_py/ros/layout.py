@@ -13,6 +13,9 @@ from std_msgs.msg import MultiArrayDimension, MultiArrayLayout
 from srnn_msgs_py.errors import MessageError
 
 MAX_DIMENSIONS = 32
+MAX_VALUES = 10_201**2
+"""Most values of an array: the weights of 101 x 101 neurons; more are refused uncopied."""
+
 MAX_WHOLE = 2**63 - 1
 _MAX_DIGITS = len(str(MAX_WHOLE))
 
@@ -50,9 +53,11 @@ def from_layout(
         The sizes of the dimensions and the text of every figure.
 
     Raises:
-        MessageError: the labels or sizes are not as expected.
+        MessageError: the labels or sizes are not as expected, or too large.
 
     """
+    if length > MAX_VALUES:
+        raise MessageError(f'data has {length} values: must be <= {MAX_VALUES}')
     if len(layout.dim) > MAX_DIMENSIONS:
         raise MessageError(f'layout has {len(layout.dim)} dims: must be <= {MAX_DIMENSIONS}')
     if layout.data_offset != 0:

@@ -5,6 +5,7 @@ from geometry_msgs.msg import PoseStamped
 import numpy as np
 from std_msgs.msg import Header
 
+from srnn_msgs_py.ros.mark_carrier import plain_frame
 from srnn_msgs_py.ros.points import pose_at, xyz
 from srnn_msgs_py.ros.stamp import stamp_from_msg, stamp_to_msg
 from srnn_msgs_py.tip import TipPosition
@@ -26,4 +27,4 @@ def from_msg(msg: PoseStamped) -> TipPosition:
 
     """
     position = np.array(xyz(msg.pose.position, 'position'))
-    return TipPosition(stamp_from_msg(msg.header.stamp), position, str(msg.header.frame_id))
+    return TipPosition(stamp_from_msg(msg.header.stamp), position, plain_frame(msg.header))

@@ -5,6 +5,7 @@ from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.result import ResultCode, SegmentResult
+from srnn_msgs_py.ros.mark_carrier import FIGURE
 
 NAME = 'segment'
 
@@ -26,7 +27,7 @@ def to_msg(result: SegmentResult) -> DiagnosticStatus:
         MessageError: a figure has one of the names that the message itself needs.
 
     """
-    taken = {_STAMP, _REASON}.intersection(result.values)
+    taken = {_STAMP, _REASON, FIGURE}.intersection(result.values)
     if taken:
         raise MessageError(f'values has the keys {sorted(taken)}: these names are taken')
     values = {_STAMP: str(int(result.stamp_ns)), _REASON: str(result.reason)}
@@ -46,7 +47,7 @@ def from_msg(msg: DiagnosticStatus) -> SegmentResult:
         MessageError: the code, the stamp or a figure cannot be read.
 
     """
-    values = {item.key: item.value for item in msg.values}
+    values = {item.key: item.value for item in msg.values if item.key != FIGURE}
     try:
         code = ResultCode(msg.message)
     except ValueError:

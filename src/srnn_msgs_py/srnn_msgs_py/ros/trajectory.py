@@ -10,6 +10,7 @@ from std_msgs.msg import Header
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.ros.mark_carrier import plain_frame
 from srnn_msgs_py.ros.stamp import (
     SECOND_NS,
     duration_from_msg,
@@ -89,7 +90,7 @@ def from_msg(msg: JointTrajectory, fields: tuple[str, ...]) -> Columns:
         raise MessageError(f'{count} points: must be 1 to {MAX_POINTS}')
     return Columns(
         stamp_ns=stamp_from_msg(msg.header.stamp),
-        frame=str(msg.header.frame_id),
+        frame=plain_frame(msg.header),
         times=_times(msg),
         columns={field: _column(msg, field, len(axes)) for field in fields},
     )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core import plasticity_kernel
+from srnn_planner.core import generator_state, plasticity_kernel
 from srnn_planner.core.dissonance import experienced, learning_signal
 from srnn_planner.core.encoding import spike_probability
 from srnn_planner.core.errors import PairingError
@@ -16,6 +16,9 @@ from srnn_planner.core.state_neurons import StateNeurons
 
 STEPS_AHEAD = 64
 """Random numbers are drawn ahead for segments of this many steps; longer ones draw more."""
+
+FARTHEST = 10.0
+"""No arm is farther out than this [units]; responsibilities are not numbers very far out."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +54,7 @@ class Learner:
         self._signal = learning_signal(model.learning)
         self._rng = rng
         self._uniforms: NDArray[np.float32] | None = None
+        self._before_drawing = generator_state.read(rng)
 
     def warm_up(self) -> None:
         """Compile every kernel, and work through one lesson that teaches nothing."""
@@ -69,6 +73,7 @@ class Learner:
         if self._uniforms is None:
             replays, neurons = self.model.learning.replays, self.model.network.neurons
             count = replays * 2 * STEPS_AHEAD * neurons
+            self._before_drawing = generator_state.read(self._rng)
             self._uniforms = self._rng.random(count, dtype=np.float32)
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
@@ -80,6 +85,21 @@ class Learner:
         """
         self.weights = self.neurons.check_weights(weights)
 
+    def random_state(self) -> NDArray[np.uint64]:
+        """Return the state (6,) that the random numbers of the next lesson are drawn from."""
+        drawn = self._uniforms is not None
+        return self._before_drawing if drawn else generator_state.read(self._rng)
+
+    def use_random_state(self, state: NDArray[np.uint64]) -> None:
+        """Draw the random numbers of the next lesson from a state (6,).
+
+        Raises:
+            WeightsError: it is none; nothing has changed.
+
+        """
+        generator_state.write(self._rng, state)
+        self._uniforms = None
+
     def learn(self, mental: NDArray[np.float64], executed: NDArray[np.float64]) -> Lesson:
         """Learn from a plan and its execution.
 
@@ -88,13 +108,19 @@ class Learner:
             executed: (T, d) measured positions at the same times [m], held after a contact.
 
         Raises:
-            PairingError: the two do not have the same shape or are not finite.
+            PairingError: the two do not have the same shape, that of the network's space,
+                or leave the workspace far behind.
 
         """
         if mental.shape != executed.shape:
             raise PairingError(f'plan {mental.shape} and execution {executed.shape} differ')
-        if not (np.isfinite(mental).all() and np.isfinite(executed).all()):
-            raise PairingError('plan and execution must be finite')
+        dimensions = self.model.network.dimensions
+        if mental.ndim != 2 or mental.shape[1] != dimensions or not len(mental):
+            raise PairingError(f'plan of shape {mental.shape}: must be (T, {dimensions})')
+        limit = FARTHEST * self.model.workspace.half_extent
+        # A number that is not finite compares as false.
+        if not ((np.abs(mental) <= limit).all() and (np.abs(executed) <= limit).all()):
+            raise PairingError(f'plan and execution must lie within {limit:g} m')
         mismatch = experienced(self.model, self.neurons, mental, executed)
         rates = self._signal.rates(mismatch)
         updated = bool(rates.any())

@@ -262,6 +262,10 @@ class ModelParameters(Parameters):
 class PlanningParameters(Parameters):
     """What only the planner needs."""
 
+    dead_after: int = parameter(
+        10, unit='plans', minimum=2, maximum=1000,
+        doc='After so many invalid plans in a row earlier weights are tried.',
+    )
     context: ContextParameters = field(default_factory=ContextParameters)
     obstacles: ObstacleParameters = field(default_factory=ObstacleParameters)
     sampling: SamplingParameters = field(default_factory=SamplingParameters)

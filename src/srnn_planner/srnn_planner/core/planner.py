@@ -28,6 +28,9 @@ from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.trajectory import Motion, Trajectory, time_path
 from srnn_planner.core.ways import Ways
 
+TARGETS_KEPT = 256
+"""Way points whose context neurons are remembered; the oldest are drawn anew."""
+
 
 @dataclass(frozen=True, eq=False)
 class PlanRequest:
@@ -217,6 +220,8 @@ class SegmentPlanner:
         key = target.tobytes()
         parameters = self.planning.context
         if key not in self._centres:
+            if len(self._centres) >= TARGETS_KEPT:
+                del self._centres[next(iter(self._centres))]
             self._centres[key] = draw_centres(target, parameters, self._rng)
         fatigue = parameters.fatigue * self._fatigue.visits
         remaining = self._ways.remaining(self._tolls, target, fatigue)

@@ -188,7 +188,8 @@ class Sequencer:
 
         A way back may itself be blocked, if the arm did not come from there straight.
         """
-        if not self._retreating:
+        if not self._retreating or not self._executed_stamp:
+            # Of a contact whose path was never heard nobody knows the way back.
             return None
         times = (self._touches_in_a_row - 1) % RETREATS + 1
         return self._trail.back(times * self._planning.trajectory.retreat)

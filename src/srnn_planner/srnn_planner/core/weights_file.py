@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Weights on disk: written whole or not at all, read as data only."""
 
-import io
-import os
 from pathlib import Path
-import tempfile
-import zipfile
+from typing import Any
 
 import numpy as np
 
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import MAX_VERSION, WeightsUpdate
+from srnn_planner.core import durable_file
+from srnn_planner.core.archive import Archive, pack
 from srnn_planner.core.errors import WeightsError, WeightsFileError
 
-MAX_FILE_BYTES = 1 << 30
+LATEST = MAX_VERSION // 2
+"""Highest version of a file: whoever goes on from it has room for later ones."""
 
 
 def save(path: str | Path, weights: WeightsUpdate) -> None:
@@ -24,18 +24,18 @@ def save(path: str | Path, weights: WeightsUpdate) -> None:
         WeightsFileError: the place cannot be written.
 
     """
-    path = Path(path)
-    buffer = io.BytesIO()
-    # Not compressed, because an update is on disk before it is shared.
-    np.savez(
-        buffer,
-        version=np.int64(weights.version),
-        segment_stamp_ns=np.int64(weights.segment_stamp_ns),
-        matrix=weights.matrix,
-        checksum=np.uint32(weights.checksum()),
-    )
+    write(Path(path), to_arrays(weights))
+
+
+def write(path: Path, arrays: dict[str, Any], keep_previous: bool = False) -> None:
+    """Write an archive whole or not at all.
+
+    Raises:
+        WeightsFileError: the place cannot be written.
+
+    """
     try:
-        _replace(path, buffer.getvalue())
+        durable_file.replace(path, pack(**arrays), keep_previous)
     except OSError as error:
         raise WeightsFileError(f'{path}: cannot be written: {error}') from error
 
@@ -44,44 +44,35 @@ def load(path: str | Path) -> WeightsUpdate:
     """Read weights and check them against their checksum.
 
     Raises:
-        WeightsFileError: missing, too large or no weight file.
-        WeightsError: the checksum does not fit the data.
+        WeightsFileError: missing, no regular file, too large or no weight file.
+        WeightsError: not square, or the checksum does not fit the data.
 
     """
-    path = Path(path)
-    try:
-        if path.stat().st_size > MAX_FILE_BYTES:
-            raise WeightsFileError(f'{path}: larger than {MAX_FILE_BYTES} bytes')
-        with np.load(path, allow_pickle=False) as data:
-            weights = WeightsUpdate(
-                version=int(data['version']),
-                segment_stamp_ns=int(data['segment_stamp_ns']),
-                matrix=np.asarray(data['matrix'], dtype=np.float32),
-            )
-            expected = int(data['checksum'])
-    except WeightsFileError:
-        raise
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
-        raise WeightsFileError(f'{path}: is no weight file: {error}') from error
+    return from_archive(Archive(path), str(path))
+
+
+def to_arrays(weights: WeightsUpdate) -> dict[str, Any]:
+    """Return weights as the arrays of an archive."""
+    return {
+        'version': np.int64(weights.version),
+        'segment_stamp_ns': np.int64(weights.segment_stamp_ns),
+        'matrix': weights.matrix,
+        'checksum': np.uint32(weights.checksum()),
+    }
+
+
+def from_archive(archive: Archive, where: str) -> WeightsUpdate:
+    """Return the weights of an archive; see `load` for the errors."""
+    weights = WeightsUpdate(
+        version=archive.whole('version'),
+        segment_stamp_ns=archive.whole('segment_stamp_ns'),
+        matrix=archive.array('matrix', np.float32, None, None),
+    )
+    if weights.version > LATEST:
+        raise WeightsError(f'{where}: version {weights.version}: must be <= {LATEST}')
+    if weights.matrix.shape[0] != weights.matrix.shape[1]:
+        raise WeightsError(f'{where}: weights of shape {weights.matrix.shape}: must be square')
+    expected = int(archive.array('checksum', np.uint32))
     if weights.checksum() != expected:
-        raise WeightsError(f'{path}: checksum {expected:#010x} does not fit the data')
+        raise WeightsError(f'{where}: checksum {expected:#010x} does not fit the data')
     return weights
-
-
-def _replace(path: Path, content: bytes) -> None:
-    """Write beside the target, flush to the disk, then take its place in one step."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f'.{path.name}.')
-    try:
-        with os.fdopen(handle, 'wb') as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
-    directory = os.open(path.parent, os.O_RDONLY)
-    try:
-        os.fsync(directory)
-    finally:
-        os.close(directory)

@@ -3,7 +3,6 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 import time
 
 import numpy as np
@@ -12,7 +11,8 @@ from std_srvs.srv import Trigger
 from srnn_config import Parameters, parameter
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health, HealthLevel
-from srnn_msgs_py.ros import belief, dissonance, executed, segment, weights
+from srnn_msgs_py.refusal import WeightsRefusal
+from srnn_msgs_py.ros import belief, dissonance, executed, refusal, segment, weights
 from srnn_msgs_py.ros import path as path_msg
 from srnn_msgs_py.segment import ExecutedPath, Segment
 from srnn_msgs_py.weights import WeightsUpdate
@@ -20,7 +20,9 @@ from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
 from srnn_planner.core import weights_file
 from srnn_planner.core.adapter import Learner, Lesson
+from srnn_planner.core.checkpoint_keeper import CheckpointKeeper
 from srnn_planner.core.errors import PairingError, SrnnError
+from srnn_planner.core.learned_model import LearnedModel
 from srnn_planner.core.pairing import Pairing
 from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.statistics import Durations
@@ -53,16 +55,14 @@ class AdapterNode(WorkspaceNode):
 
     def configure(self, parameters: AdapterParameters) -> None:
         """Load weights, compile the kernels, connect topics and services."""
-        self._parameters = parameters
+        self._settings = parameters
         self._learner = Learner(parameters.model, np.random.default_rng([parameters.seed, 1]))
         self._learner.warm_up()
-        self._version = 0
-        if parameters.initial_weights:
-            self._take(weights_file.load(parameters.initial_weights))
-        self._initial = self._learner.weights
-        self._unsaved = ''
-        if parameters.checkpoint and Path(parameters.checkpoint).exists():
-            self._restore(weights_file.load(parameters.checkpoint))
+        file = parameters.initial_weights
+        self._model = LearnedModel(self._learner, weights_file.load(file) if file else None)
+        self._went_back = ''
+        self._keeper = CheckpointKeeper(parameters.checkpoint)
+        self._restore()
         self._pairing = Pairing()
         self._update_times = Durations()
         self._weights = self.advertise('weights')
@@ -72,6 +72,7 @@ class AdapterNode(WorkspaceNode):
         self._executed_path = self.advertise('executed_path')
         self.listen('segment', segment.from_msg, self._on_segment)
         self.listen('executed', executed.from_msg, self._on_executed)
+        self.listen('weights_refused', refusal.from_msg, self._on_refused)
         for name, action in (('save', self._save), ('load', self._load), ('revert', self._revert)):
             self.create_service(Trigger, f'~/{name}', self._service(action))
 
@@ -80,17 +81,21 @@ class AdapterNode(WorkspaceNode):
         self._share(0)
 
     def health(self) -> Health:
-        """Report counters and update times."""
+        """Report counters, update times and what is wrong with keeping what was learned."""
         if not self.active:
             return Health()
-        level = HealthLevel.WARN if self._unsaved else HealthLevel.OK
+        keeper = self._keeper
+        wrong = '; '.join(filter(None, [keeper.unsaved, keeper.broken, self._went_back]))
         times = {f'update_ms_{k}': v for k, v in self._update_times.summary_ms().items()}
         values = {
             'updates': self._learner.updates,
-            'weights_version': self._version,
+            'weights_version': self._model.weights.version,
+            'checkpoint_version': 'none' if keeper.version is None else keeper.version,
+            'checkpoint_error': keeper.unsaved or keeper.broken,
+            'reverts': self._model.reverts,
             **times,
         }
-        return Health(level, self._unsaved, values)
+        return Health(HealthLevel.WARN if wrong else HealthLevel.OK, wrong, values)
 
     def _on_segment(self, plan: Segment) -> None:
         self._learn(self._pairing.segment(plan))
@@ -104,27 +109,43 @@ class AdapterNode(WorkspaceNode):
         plan, path = pair
         began = time.perf_counter()
         try:
-            lesson = self._learner.learn(plan.positions, path.positions)
+            lesson = self._model.learn(plan, path, self._now())
         except PairingError:
             self.refused_messages += 1
             return
+        if lesson is None:
+            return
         seconds = time.perf_counter() - began
         if lesson.updated:
-            self._version += 1
+            self._went_back = ''
             self._update_times.record(seconds)
-            self._keep(plan.stamp_ns)
-            self._share(plan.stamp_ns)
+            self._keep_and_share(plan.stamp_ns)
         self._acknowledge(plan.stamp_ns, lesson, seconds)
         self._learner.prepare()
         self._segment_path.publish(path_msg.to_msg(plan))
         self._executed_path.publish(path_msg.to_msg(path))
 
+    def _on_refused(self, refused: WeightsRefusal) -> None:
+        """Go back to earlier weights, so that learning goes on from there too."""
+        left = self._model.leave(refused, self._now())
+        if left is not None:
+            self._keeper.keep_refused(left)
+            done = f'left weights version {left.version} for earlier ones'
+        elif self._model.catch_up(refused, self._now()):
+            done = 'went on with the same weights'
+        else:
+            return
+        self._went_back = f'{done}, now version {self._model.weights.version}: {refused.reason}'
+        self.get_logger().error(self._went_back)
+        self._keep_and_share(0)
+        self.report_health()
+
     def _acknowledge(self, stamp_ns: int, lesson: Lesson, seconds: float) -> None:
         value = Dissonance(
             segment_stamp_ns=stamp_ns,
-            signal=self._parameters.model.learning.signal,
+            signal=self._settings.model.learning.signal,
             updated=lesson.updated,
-            weights_version=self._version,
+            weights_version=self._model.weights.version,
             peak=lesson.peak,
             global_alpha=lesson.squared_distance.astype(np.float32),
             neuron_peak=lesson.rates.max(axis=0).astype(np.float32),
@@ -132,59 +153,54 @@ class AdapterNode(WorkspaceNode):
         )
         self._dissonance.publish(dissonance.to_msg(value))
 
-    def _keep(self, stamp_ns: int) -> None:
-        """Write the checkpoint; without room on the disk learning goes on, and says so."""
-        if not self._parameters.checkpoint:
-            return
-        update = WeightsUpdate(self._version, stamp_ns, self._learner.weights)
-        try:
-            weights_file.save(self._parameters.checkpoint, update)
-            self._unsaved = ''
-        except SrnnError as error:
-            self._unsaved = str(error)
+    def _restore(self) -> None:
+        if self._keeper.restore(lambda value: self._model.restore(value, self._now())):
+            version = self._model.weights.version
+            self.get_logger().info(f'goes on from version {version} of the checkpoint')
+        if self._keeper.broken:
+            self.get_logger().error(f'broken checkpoint: {self._keeper.broken}')
 
-    def _restore(self, update: WeightsUpdate) -> None:
-        self._learner.use_weights(update.matrix)
-        self._version = update.version
-        self.get_logger().info(f'goes on from version {update.version} of the checkpoint')
+    def _keep_and_share(self, stamp_ns: int) -> None:
+        """Let nobody have weights that a crash could take back.
+
+        Without room on the disk learning goes on, and the health says so.
+        """
+        self._keeper.keep(self._model.checkpoint())
+        self._share(stamp_ns)
 
     def _share(self, stamp_ns: int) -> None:
-        update = WeightsUpdate(self._version, stamp_ns, self._learner.weights)
+        update = WeightsUpdate(self._model.weights.version, stamp_ns, self._learner.weights)
         self._weights.publish(weights.to_msg(update))
-        network = self._parameters.model.network
+        network = self._settings.model.network
         if network.dimensions == 2:
             change = input_change(self._learner.weights, self._learner.neurons.prior_weights)
             side = network.neurons_per_dimension
             inhibition = np.maximum(-change, 0.0).reshape(side, side)
-            now = self.get_clock().now().nanoseconds
-            extent = self._parameters.model.workspace.half_extent
-            self._belief.publish(belief.to_msg(inhibition, extent, now))
+            extent = self._settings.model.workspace.half_extent
+            self._belief.publish(belief.to_msg(inhibition, extent, self._now()))
 
-    def _take(self, update: WeightsUpdate) -> None:
-        self._learner.use_weights(update.matrix)
-        self._version = max(self._version + 1, update.version)
+    def _now(self) -> int:
+        return int(self.get_clock().now().nanoseconds)
 
     def _save(self) -> str:
-        update = WeightsUpdate(self._version, 0, self._learner.weights)
-        weights_file.save(self._file(), update)
-        return f'saved version {self._version} to {self._file()}'
+        value = self._model.weights
+        weights_file.save(self._file(), value)
+        return f'saved version {value.version} to {self._file()}'
 
     def _load(self) -> str:
-        self._take(weights_file.load(self._file()))
-        self._keep(0)
-        self._share(0)
-        return f'loaded {self._file()} as version {self._version}'
+        self._model.load(weights_file.load(self._file()), self._now())
+        self._keep_and_share(0)
+        return f'loaded {self._file()} as version {self._model.weights.version}'
 
     def _revert(self) -> str:
-        self._take(WeightsUpdate(self._version, 0, self._initial))
-        self._keep(0)
-        self._share(0)
-        return f'back to the initial weights as version {self._version}'
+        self._model.revert(self._now())
+        self._keep_and_share(0)
+        return f'back to the initial weights as version {self._model.weights.version}'
 
     def _file(self) -> str:
-        if not self._parameters.weights_file:
+        if not self._settings.weights_file:
             raise SrnnError('parameter weights_file is empty: name a file to use this service')
-        return self._parameters.weights_file
+        return self._settings.weights_file
 
     @staticmethod
     def _service(action: Callable[[], str]) -> Callable[..., Trigger.Response]:

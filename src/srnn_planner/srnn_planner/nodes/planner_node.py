@@ -3,6 +3,7 @@
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
+from functools import partial
 import time
 
 import numpy as np
@@ -17,6 +18,7 @@ from srnn_msgs_py.ros import (
     executed,
     markers,
     pose,
+    refusal,
     result,
     segment,
     waypoints,
@@ -34,6 +36,7 @@ from srnn_planner.core.planner import SegmentPlanner
 from srnn_planner.core.sequencer import Sequencer
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.task import WaypointTask
+from srnn_planner.core.watched_planner import WatchedPlanner
 
 BLIND_S = 1.0
 """Without a pose for this long it is not known where the arm is [s]."""
@@ -72,24 +75,28 @@ class PlannerNode(WorkspaceNode):
             parameters.model, parameters.planning, np.random.default_rng([parameters.seed, 0]),
             [obstacle for obstacle in scene.obstacles if obstacle.known],
         )
+        self._watched = WatchedPlanner(self._planner, parameters.planning.dead_after)
+        self._watch, self._told = self._watched.watch, ''
         self._sequencer = Sequencer(
             self._task(np.array(scene.waypoints)),
             self._workspace, parameters.planning, scene.task.velocity,
         )
         self._planning_times = Durations()
-        self._weights_version = 0
         self._pose_time = 0.0
         self._stale_in_a_row = 0
         self._segment = self.advertise('segment')
+        self._refused = self.advertise('weights_refused')
         self._markers = self.advertise('markers')
         self.listen('current_pose', pose.from_msg, self._on_pose)
         self.listen('executed', executed.from_msg, self._on_executed)
         self.listen('segment_result', result.from_msg, self._on_result)
         self.listen('dissonance', dissonance.from_msg, self._on_dissonance)
-        self.listen('weights', weights.from_msg, self._on_weights)
         self.listen('waypoints', waypoints.from_msg, self._on_waypoints)
-        # Last, because meanwhile the middleware finds the other nodes.
+        # After the topics, because meanwhile the middleware finds the other nodes.
         self._planner.warm_up()
+        # Weights are signed anew for whoever asks, and must be read while they are fresh.
+        neurons = parameters.model.network.neurons
+        self.listen('weights', partial(weights.from_msg, neurons=neurons), self._on_weights)
 
     def activate(self) -> None:
         """Begin with the arm as it is seen next."""
@@ -111,10 +118,11 @@ class PlannerNode(WorkspaceNode):
         request = self._sequencer.request(began)
         if request is None:
             return
-        trajectory = self._planner.plan(request).trajectory
+        trajectory = self._watched.plan(request)
         planned = time.monotonic()
         if trajectory is None:
             self._sequencer.failed(planned - began, planned)
+            self._tell()
             return
         self._last_stamp = max(self.get_clock().now().nanoseconds, self._last_stamp + 1)
         knots = Segment(self._last_stamp, **vars(trajectory))
@@ -122,6 +130,7 @@ class PlannerNode(WorkspaceNode):
         self._planning_times.record(planned - began)
         now = time.monotonic()
         self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
+        self._tell()
         self.report_health()
         self._planner.prepare()
 
@@ -136,13 +145,26 @@ class PlannerNode(WorkspaceNode):
             **times,
             'planning_ms': 1e3 * self._planning_times.last,
             'segment_stamp_ns': self._last_stamp,
-            'weights_version': self._weights_version,
+            'weights_version': self._watch.in_use.version,
+            'weights_refused': self._watch.refusals,
         }
-        trouble = self._trouble()
-        level = HealthLevel.WARN if trouble or counters['invalid_plans'] else HealthLevel.OK
-        return Health(level, trouble, values)
+        doubtful = self._doubts()
+        level = HealthLevel.WARN if doubtful or counters['invalid_plans'] else HealthLevel.OK
+        trouble = self._watch.trouble
+        return Health(HealthLevel.ERROR if trouble else level, trouble or doubtful, values)
 
-    def _trouble(self) -> str:
+    def _tell(self) -> None:
+        """Tell of weights that are dead: the adapter at once, everybody else once."""
+        if self._watched.refusal is not None:
+            self._refused.publish(refusal.to_msg(self._watched.refusal))
+            self._watched.refusal = None
+        trouble = self._watch.trouble
+        if trouble and trouble != self._told:
+            self.get_logger().error(trouble)
+            self.report_health()
+        self._told = trouble
+
+    def _doubts(self) -> str:
         if time.monotonic() - self._pose_time > BLIND_S:
             return 'no pose of the arm: nothing is planned'
         if self._stale_in_a_row >= STALE_IN_A_ROW:
@@ -154,7 +176,11 @@ class PlannerNode(WorkspaceNode):
         self._sequencer.tip(tip.position[: self._dimensions])
 
     def _on_executed(self, path: ExecutedPath) -> None:
-        if self._sequencer.executed(path.stamp_ns, path.positions):
+        positions = path.positions
+        if positions.shape[1] != self._dimensions or not np.isfinite(positions).all():
+            self.refused_messages += 1
+            return
+        if self._sequencer.executed(path.stamp_ns, positions):
             self._show_waypoints()
 
     def _on_result(self, ended: SegmentResult) -> None:
@@ -164,24 +190,17 @@ class PlannerNode(WorkspaceNode):
 
     def _on_dissonance(self, lesson: Dissonance) -> None:
         # Weights travel on a topic of their own and may be behind this message.
-        if not lesson.updated or lesson.weights_version <= self._weights_version:
+        if not lesson.updated or lesson.weights_version <= self._watch.newest_version:
             self._sequencer.learned(lesson.segment_stamp_ns)
 
     def _on_weights(self, update: WeightsUpdate) -> None:
-        if update.version < self._weights_version:
-            # Of an adapter that has forgotten: what was learned is not given up for it.
-            self.refused_messages += 1
-            self.get_logger().warning(
-                f'weights version {update.version} refused: version '
-                f'{self._weights_version} is in use'
-            )
-            return
         try:
-            self._planner.use_weights(update.matrix)
-        except SrnnError:
+            self._watched.take(update)
+        except SrnnError as error:
             self.refused_messages += 1
+            self.get_logger().warning(str(error))
             return
-        self._weights_version = update.version
+        self._tell()
         self._sequencer.learned(update.segment_stamp_ns)
 
     def _on_waypoints(self, tour: Waypoints) -> None:
