@@ -20,12 +20,14 @@ from two_hosts import Host, two_hosts, why_not
 from srnn_bringup.environment import DISCOVERY_RANGE, PROFILES, graph_environment
 from srnn_bringup.peer_profile import peer_profile
 from srnn_bringup.peers import Peer
-from srnn_planner.nodes.planner_node import BLIND_S
 
 ROOT = Path(__file__).parents[2]
 START_S = 120.0
 PATIENCE_S = 60.0
 UP = 'Ctrl-C stops the graph'
+
+BLIND_AFTER_S = 1.5
+"""No segment is planned once the arm has not been heard of for so long [s]."""
 
 SHORT_CUT_S = 3.0
 LONG_CUT_S = 25.0
@@ -138,7 +140,7 @@ def cut(graph, seconds: float, entry) -> float:
     times, places = tips(graph.at_arm)
     meanwhile = places[(times > began) & (times <= back)]
     segments = graph.at_brain.heard('segment')
-    assert not [s for s in segments if began + BLIND_S + 0.5 < s['t'] < back], 'planned blindly'
+    assert not [s for s in segments if began + BLIND_AFTER_S < s['t'] < back], 'planned blindly'
     planned = [s for s in segments if s['t'] <= began]
     entry.deviation_mm = 1e3 * off(meanwhile, planned[-3:])
     entry.speed = speed(graph.at_arm, began)
