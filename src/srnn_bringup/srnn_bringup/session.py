@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """This process as a node of the graph that it watches or asks."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 import os
 from pathlib import Path
@@ -24,6 +24,8 @@ def session(
 ) -> Iterator[tuple[Node, Pump]]:
     """Take part in the middleware; yield the node, and the pump that handles its events.
 
+    The environment of this process is that of the graph meanwhile.
+
     Args:
         name: name of the node.
         guard: raises when it is time to stop.
@@ -33,8 +35,10 @@ def session(
         SecurityError: the middleware does not let this process in.
 
     """
+    before = dict(os.environ)
     os.environ.update(graph_environment(os.environ, keystore))
     with ExitStack() as stack:
+        stack.callback(_restore, before)
         stack.callback(rclpy.try_shutdown)
         node = _enter(name, keystore)
         stack.callback(node.destroy_node)
@@ -53,3 +57,8 @@ def _enter(name: str, keystore: Path | None) -> Node:
         return Node(name, enable_rosout=False, start_parameter_services=False)
     except rclpy_implementation.RCLError as error:
         raise SecurityError(f'the middleware does not let {name} in: {error}') from error
+
+
+def _restore(environ: Mapping[str, str]) -> None:
+    os.environ.clear()
+    os.environ.update(environ)
