@@ -2,6 +2,7 @@
 """Row 24: physics that goes wrong ends the sim bridge, loudly, before it can report nonsense."""
 
 from collections.abc import Callable, Iterator
+import os
 from pathlib import Path
 import re
 import subprocess
@@ -24,6 +25,8 @@ HERE = Path(__file__).parent
 SCENE = HERE.parents[1] / 'config' / 'scenes' / 'four_waypoints.yaml'
 CYCLE_MS = 4.0
 PATIENCE_S = 60.0
+ALONE = ['-r', f'__ns:=/faults_{os.getpid()}']
+"""Whatever else runs on this machine in the same domain is not heard."""
 
 
 @pytest.fixture(autouse=True)
@@ -52,7 +55,7 @@ class Listening:
     """A tracker in this process, served as `srnn_node.run` would."""
 
     def __init__(self) -> None:
-        rclpy.init(args=[])
+        rclpy.init(args=['--ros-args', *ALONE])
         self.node = TrackerNode()
         self._executor = EventsExecutor()
         self._executor.add_node(self.node)
@@ -84,7 +87,7 @@ def bridge() -> Iterator[Callable[[str], subprocess.Popen]]:
     started = []
 
     def start(how: str) -> subprocess.Popen:
-        options = ['-p', f'scene:={SCENE}', '-p', 'autostart:=true']
+        options = ['-p', f'scene:={SCENE}', '-p', 'autostart:=true', *ALONE]
         started.append(subprocess.Popen(
             [sys.executable, HERE / 'breaking_bridge.py', how, '--ros-args', *options],
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,

@@ -13,8 +13,8 @@ from lwr_tracking.core.refusal import Refusal
 from srnn_msgs_py.result import ResultCode
 from srnn_msgs_py.segment import Segment
 
-PER_INJECTION = 25
-"""Streams that count as one injection: two faults, 20 times, are the 1000 of the matrix."""
+PER_INJECTION = 13
+"""Streams that count as one injection: four faults, 20 times, are the 1000 of the matrix."""
 
 Schedule = dict[int, list[Segment]]
 """What arrives in which tick."""
@@ -80,7 +80,7 @@ def test_what_is_sent_again_changes_nothing(ledger, make):
         clean, commands, _ = play(schedule, ticks)
         assert [end.result.code for end in clean.finished] == [ResultCode.DONE] * len(segments)
         with ledger.injection(12, what, bound_ms=2.0) as entry:
-            for _ in range(PER_INJECTION // 5):
+            for _ in range(PER_INJECTION):
                 noisy = {tick: list(sent) for tick, sent in schedule.items()}
                 for tick in np.sort(rng.integers(0, ticks, rng.integers(1, 40))).tolist():
                     old = [s for when, sent in schedule.items() if when <= tick for s in sent]

@@ -82,7 +82,7 @@ def lossy(course: Course, lost: np.ndarray, measured: bool) -> Rig:
     return made
 
 
-@pytest.mark.parametrize('lost', [1, 2, 3, 5])
+@pytest.mark.parametrize('lost', [1, 3, 5])
 @pytest.mark.parametrize('measured', [False, True], ids=['commands', 'both'])
 def test_a_few_lost_cycles_are_made_up_for(ledger, lost, measured):
     """Row 7: at most 2 mm beside the run without the loss, and nothing of it remains."""
