@@ -84,6 +84,8 @@ class World:
             signal_handler_options=SignalHandlerOptions.NO,
         )  # fmt: skip
         self.bridge, self.tracker, self.planner = BridgeNode(), TrackerNode(), PlannerNode()
+        # The whole process is not to take the processor from others.
+        self.planner.ACTIVE_PRIORITY = 0
         self.nodes = {
             'sim_bridge': self.bridge, 'tracker': self.tracker, 'planner': self.planner,
         }  # fmt: skip
