@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import rclpy
 from rclpy.lifecycle import TransitionCallbackReturn
+from slept_clock import SleptClock
 from std_srvs.srv import Trigger
 
 from lwr_description import Mount
@@ -83,21 +84,8 @@ def test_without_joint_states_the_arm_is_stopped_at_the_second_look(tracker):
     assert tracker._tracker.conditions == Condition.SILENT
 
 
-class Clock:
-    """Time that passes when somebody sleeps."""
-
-    def __init__(self) -> None:
-        self.now = 100.0
-
-    def monotonic(self) -> float:
-        return self.now
-
-    def sleep(self, seconds: float) -> None:
-        self.now += seconds
-
-
 def test_deactivation_in_mid_motion_is_a_rest_on_the_path_and_no_fault(tracker, monkeypatch):
-    clock = Clock()
+    clock = SleptClock()
     monkeypatch.setattr(tracker_node, 'time', clock)
     assert tracker.trigger_activate() == SUCCESS
     sample = at_rest()
