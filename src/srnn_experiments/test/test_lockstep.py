@@ -40,14 +40,14 @@ def test_segments_join_without_stop_or_jump_in_velocity():
     free = setting(8, FREE)
     world = make_world(free, 0)
     run = make_run(free, world, make_agent(free, 0))
-    gate = TrackerParameters().gate
+    tracking = TrackerParameters()
     velocities = []
     while len(run.records) < 8:
         run.cycle()
         if world.tracker.reference is not None:
             velocities.append(world.tracker.reference.velocity[:2].copy())
     steps = np.linalg.norm(np.diff(velocities, axis=0), axis=1)
-    assert steps.max() <= gate.acceleration_limit * gate.period
+    assert steps.max() <= tracking.gate.acceleration_limit * tracking.period
     for before, after in pairwise([record.plan for record in run.records]):
         assert after.positions[0] == pytest.approx(before.positions[-1])
         assert after.velocities[0] == pytest.approx(before.velocities[-1])
