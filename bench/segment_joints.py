@@ -73,12 +73,12 @@ def draw(signals: dict[str, np.ndarray], joints: list[float], path: Path) -> Non
     for index, name in enumerate(JOINT_NAMES):
         bottom.plot(t, np.degrees(signals['command'][:, index] - signals['command'][0, index]),
                     lw=1.2, label=name.removeprefix('lwr_').removesuffix('_joint'))  # fmt: skip
-    gate = TrackerParameters().gate
+    tracking = TrackerParameters()
     jump = np.linalg.norm(np.diff(signals['velocity'], axis=0), axis=1).max()
-    allowed = gate.acceleration_limit * gate.period
+    allowed = tracking.gate.acceleration_limit * tracking.period
     top.set_title(
         f'Ten segments, joined on the move: largest step of the velocity {1e3 * jump:.1f} mm/s '
-        f'per {1e3 * gate.period:.0f} ms, allowed {1e3 * allowed:.1f} mm/s',
+        f'per {1e3 * tracking.period:.0f} ms, allowed {1e3 * allowed:.1f} mm/s',
         fontsize=11,
     )
     top.set_ylabel('tip [mm]\nthin: planned, thick: measured')
