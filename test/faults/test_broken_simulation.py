@@ -70,6 +70,9 @@ class Listening:
             self._loop.turn()
 
     def close(self) -> None:
+        # An active node keeps the garbage collector out, and with it its own end.
+        self.node.trigger_deactivate()
+        self.node.trigger_cleanup()
         self._executor.shutdown()
         self.node.destroy_node()
         rclpy.shutdown()
