@@ -2,6 +2,7 @@
 """A middleware context of its own for every test, and bounded waits."""
 
 from collections.abc import Callable, Iterator
+import gc
 import os
 import time
 from typing import Any
@@ -47,8 +48,14 @@ class Bench:
 
     def close(self) -> None:
         self.executor.shutdown()
-        for node in self._nodes:
+        while self._nodes:
+            node = self._nodes.pop()
+            # An active node keeps the garbage collector out, and with it its own end.
+            if getattr(node, 'active', False):
+                node.trigger_deactivate()
             node.destroy_node()
+        del node
+        gc.collect()
 
 
 @pytest.fixture

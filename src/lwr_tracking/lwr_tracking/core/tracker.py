@@ -30,8 +30,8 @@ from srnn_msgs_py.segment import Segment
 
 Array = NDArray[np.float64]
 
-HELD_AFTER = 0.02
-"""The arm side has come to hold its pose after so long without a command [s] (`lwr_guard`)."""
+AT_REST_AFTER = 0.1
+"""The arm side has come to rest after so long without a command [s] (`lwr_guard`)."""
 
 
 class Tick(NamedTuple):
@@ -215,7 +215,7 @@ class Tracker:
         step = 0.0 if before is None else now - before
         self._set(Condition.OVERLOADED, self._ticks.tick(step))
         self.counters.late_ticks = self._ticks.late
-        if step > HELD_AFTER and self._execution is not None:
+        if step > AT_REST_AFTER and self._execution is not None:
             self._execution.reference.halt()
         return min(max(step, 0.0), self._parameters.limits.max_step)
 
