@@ -22,8 +22,8 @@ pytestmark = pytest.mark.slow
 SEED = 26
 CONFIGURATION = load(Choices(seed=SEED))
 RUNNING_MS = LOOSELY * 5000.0
-AT_LEAST = 120
-"""Segments of a run, so that there is time to learn."""
+AFTERWARDS = 150
+"""Segments after the last kill, as many as a demo has: a storm leaves little time to learn."""
 
 PATIENCE_S = 900.0
 
@@ -72,10 +72,9 @@ def test_all_is_learned_though_every_node_dies_again_and_again(ledger, watched):
             entry.speed = Motion(watched, killed).speed
             assert entry.speed <= SPEED
 
-    so_far = len(over(watched))
-    goal = max(so_far + so_far // 2, AT_LEAST)
+    goal = len(over(watched)) + AFTERWARDS
     watched.until(lambda: len(over(watched)) >= goal, PATIENCE_S)
-    third = over(watched)[-(goal // 3)]
+    third = over(watched)[-(AFTERWARDS // 3)]
     assert not contacts(watched, third)
     task = CONFIGURATION.scene.task
     blocked = np.array(CONFIGURATION.scene.waypoints[task.blocked])
