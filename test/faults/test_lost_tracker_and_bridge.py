@@ -11,7 +11,7 @@ import pytest
 from std_srvs.srv import Trigger
 from watched_graph import Watched, free_scene, watched_graph
 
-from srnn_msgs_py.result import ResultCode
+from srnn_msgs_py.health import HealthLevel
 
 pytestmark = pytest.mark.slow
 
@@ -31,8 +31,8 @@ def watched(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Watched]:
 def is_latched(watched: Watched, since: int) -> bool:
     """Tell whether the tracker has said that it wants a reset."""
     return any(
-        r.code is ResultCode.REJECTED and 'until reset' in r.reason
-        for r in watched.results if r.stamp_ns > since
+        health.level is HealthLevel.ERROR
+        for heard, health in watched.health['tracker'] if heard > since
     )  # fmt: skip
 
 
