@@ -10,6 +10,9 @@ TOLERATED = 4
 RECOVERED = 50
 """Ticks in time, in a row, that end an overload."""
 
+AT_REST_AFTER = 0.1
+"""The arm side has come to rest after so long without a command [s] (`lwr_guard`)."""
+
 
 class TickWatch:
     """Tells an overloaded machine from one late tick.

@@ -21,7 +21,7 @@ from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.repeated_stops import RepeatedStops
 from lwr_tracking.core.segment_gate import Admission, Join, judge
-from lwr_tracking.core.tick_watch import TickWatch
+from lwr_tracking.core.tick_watch import AT_REST_AFTER, TickWatch
 from lwr_tracking.core.tip_estimate_kernel import TipEstimate
 from lwr_tracking.core.tracking_law import TrackingLaw
 from srnn_msgs_py.joints import JointSample
@@ -29,9 +29,6 @@ from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.segment import Segment
 
 Array = NDArray[np.float64]
-
-AT_REST_AFTER = 0.1
-"""The arm side has come to rest after so long without a command [s] (`lwr_guard`)."""
 
 
 class Tick(NamedTuple):
@@ -140,7 +137,9 @@ class Tracker:
             ClockError: `now` is not finite.
 
         """
-        dt = self._elapsed(now)
+        elapsed = self._elapsed(now)
+        self._keep_time(elapsed)
+        dt = min(elapsed, self._parameters.limits.max_step)
         wrong = self._watch.judge(sample, None if self._execution is None else self._law.command)
         if wrong:
             self._distrust(wrong)
@@ -209,15 +208,18 @@ class Tracker:
         return judge(segment, Join(state, late, self._last_stamp_ns), age_s, self._parameters)
 
     def _elapsed(self, now: float) -> float:
+        """Return the time since the last tick [s], 0 at the first and if it went backward."""
         if not isfinite(now):
             raise ClockError(f'now = {now}: must be a finite time in seconds')
         before, self._now = self._now, now
-        step = 0.0 if before is None else now - before
-        self._set(Condition.OVERLOADED, self._ticks.tick(step))
+        return 0.0 if before is None else max(now - before, 0.0)
+
+    def _keep_time(self, elapsed: float) -> None:
+        """Slow down if ticks come late, and start from rest if the arm has come to rest."""
+        self._set(Condition.OVERLOADED, self._ticks.tick(elapsed))
         self.counters.late_ticks = self._ticks.late
-        if step > AT_REST_AFTER and self._execution is not None:
+        if elapsed > AT_REST_AFTER and self._execution is not None:
             self._execution.reference.halt()
-        return min(max(step, 0.0), self._parameters.limits.max_step)
 
     def _start(self, sample: JointSample) -> Execution:
         """Hold the arm exactly where it is."""
