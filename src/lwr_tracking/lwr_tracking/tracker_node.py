@@ -184,7 +184,8 @@ class TrackerNode(WorkspaceNode):
         if latched == self._latched:
             return
         if latched & ~self._latched:
-            self._log(f'frozen until reset: {", ".join(decide(latched).causes)}')
+            causes = ', '.join(decide(latched).causes)
+            self.get_logger().error(f'frozen until reset: {causes}')
         self._keep(latched)
 
     def _keep(self, latched: Condition) -> None:
@@ -192,10 +193,7 @@ class TrackerNode(WorkspaceNode):
         try:
             self._latch.write(latched)
         except OSError as error:
-            self._log(f'latch: {error}')
-
-    def _log(self, text: str) -> None:
-        self.get_logger().error(text)
+            self.get_logger().error(f'latch: {error}')
 
     def _cycle(self, sample: JointSample) -> None:
         tick = self._tracker.tick(time.monotonic(), sample)
