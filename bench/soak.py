@@ -112,7 +112,8 @@ class Promise:
     def row(self) -> str:
         """Return it as a row of a table."""
         verdict, unit = 'yes' if self.kept else '**no**', self.unit
-        return f'| {self.words} | {self.value:.3g}{unit} | {self.bound:g}{unit} | {verdict} |'
+        value = round(self.value, 3) + 0.0  # No minus before a zero.
+        return f'| {self.words} | {value:g}{unit} | {self.bound:g}{unit} | {verdict} |'
 
 
 def promises(soak: Soak) -> list[Promise]:

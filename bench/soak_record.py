@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+import re
 import resource
 
 import numpy as np
@@ -46,7 +47,7 @@ class Heartbeat:
     Attributes:
         count: how often it has.
         gap: longest time between two reports [s].
-        troubles: reports above OK, by their words.
+        troubles: reports above OK, by their words, with # for any number.
         first: figures of its first report while active.
         values: figures of its last one.
 
@@ -66,7 +67,8 @@ class Heartbeat:
         self._last = now
         self.count += 1
         if health.level is not HealthLevel.OK:
-            self.troubles[f'{health.level.name} {health.message}'] += 1
+            words = re.sub(r'\d+(\.\d+)?', '#', health.message)
+            self.troubles[f'{health.level.name} {words}'] += 1
         self.values = dict(health.values)
         self.first = self.first or self.values
 

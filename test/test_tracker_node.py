@@ -64,7 +64,6 @@ def tracker() -> Iterator[TrackerNode]:
 def test_joint_states_of_before_the_activation_are_not_missed_after_it(tracker, monkeypatch):
     """However long the activation takes, and whatever was heard before it."""
     monkeypatch.setattr(tracker_node, 'SILENCE', 0.0)
-    monkeypatch.setattr(tracker_node, 'SECOND_LOOK', 0.0)
     for _ in range(2):
         tracker._on_sample(at_rest())
         time.sleep(0.01)
@@ -75,13 +74,29 @@ def test_joint_states_of_before_the_activation_are_not_missed_after_it(tracker, 
         assert tracker.trigger_deactivate() == SUCCESS
 
 
-def test_without_joint_states_the_arm_is_stopped_at_the_second_look(tracker):
+def test_without_joint_states_the_arm_is_stopped(tracker):
     assert tracker.trigger_activate() == SUCCESS
     tracker._on_sample(at_rest())
     tracker.on_tick()
-    assert not tracker._tracker.latched
-    tracker.on_tick()
     assert tracker._tracker.conditions == Condition.SILENT
+    assert tracker.health().message == 'no joint states'
+
+
+@pytest.mark.parametrize(('silence', 'stopped'), [(0.9, False), (1.1, True)])
+def test_a_joint_state_after_a_long_silence_stops_the_arm_before_it_is_answered(
+    tracker, monkeypatch, silence, stopped
+):
+    """As a process that has slept reads what has waited for it before its watch is asked."""
+    clock = SleptClock()
+    monkeypatch.setattr(tracker_node, 'time', clock)
+    assert tracker.trigger_activate() == SUCCESS
+    sent = []
+    monkeypatch.setattr(tracker._commands, 'publish', sent.append)
+    tracker._on_sample(at_rest())
+    clock.sleep(silence)
+    tracker._on_sample(replace(at_rest(), stamp_ns=1 + round(1e9 * silence)))
+    assert (Condition.SILENT in tracker._tracker.conditions) == stopped
+    assert len(sent) == (1 if stopped else 2)
 
 
 def test_deactivation_in_mid_motion_is_a_rest_on_the_path_and_no_fault(tracker, monkeypatch):

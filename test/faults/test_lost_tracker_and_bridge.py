@@ -65,7 +65,7 @@ def test_a_tracker_that_hangs_for_a_moment_goes_on_without_a_jump(ledger, watche
         since = watched.under_way(rng)
         with ledger.injection(4, 'tracker stopped for less than 1 s', RUNNING_MS) as entry:
             stopped = watched.kill('tracker', signal.SIGSTOP)
-            watched.spin(rng.uniform(0.03, 0.8))
+            watched.spin(rng.uniform(0.03, 0.6))
             nearly_stands_still(watched, stopped, entry, TRAVEL_MM)
             woken = watched.kill('tracker', signal.SIGCONT)
             entry.reaction_ms = 1e-6 * (watched.first_executed(woken) - woken)

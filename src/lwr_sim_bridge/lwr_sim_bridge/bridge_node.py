@@ -82,6 +82,7 @@ class BridgeNode(WorkspaceNode):
     def activate(self) -> None:
         """Let time run from now on."""
         self._rate = RateKeeper(TICKS_PER_CYCLE * TICK, time.monotonic(), CATCH_UP)
+        self._skipped = 0
 
     def seconds_to_tick(self) -> float | None:
         """Return the time until the next cycle of the arm is due [s]."""
@@ -124,8 +125,10 @@ class BridgeNode(WorkspaceNode):
         if answered < SPARSE:
             level = HealthLevel.ERROR if answered < POOR else HealthLevel.WARN
             return Health(level, f'only {answered:.0%} of the cycles bring a command', values)
-        level = HealthLevel.WARN if self._rate.skipped else HealthLevel.OK
-        return Health(level, '', values)
+        skipped, self._skipped = self._rate.skipped - self._skipped, self._rate.skipped
+        if skipped:
+            return Health(HealthLevel.WARN, f'cycles given up: {skipped}', values)
+        return Health(HealthLevel.OK, '', values)
 
     def _build(self) -> None:
         self._arm = SimulatedArm(

@@ -3,12 +3,14 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+import time
 
 import pytest
 import rclpy
 
 from lwr_sim_bridge.bridge_node import TICKS_PER_CYCLE, BridgeNode
 from srnn_msgs_py.health import HealthLevel
+from srnn_node.rate import RateKeeper
 
 SCENE = Path(__file__).parents[3] / 'config' / 'scenes' / 'four_waypoints.yaml'
 
@@ -46,3 +48,13 @@ def test_commands_that_have_ceased_are_told_as_such(bridge):
     bridge._on_command(bridge._arm.sample(0).position)
     bridge._arm.step(100)
     assert bridge.health().message == 'no commands: the arm holds its pose'
+
+
+def test_cycles_given_up_are_told_once(bridge):
+    bridge._rate = RateKeeper(0.004, time.monotonic() - 10.0, 3)
+    bridge.on_tick()
+    told = bridge.health()
+    assert told.level is HealthLevel.WARN
+    assert told.message == f'cycles given up: {bridge._rate.skipped}'
+    assert bridge._rate.skipped > 2000
+    assert bridge.health().level is HealthLevel.OK

@@ -35,13 +35,10 @@ MAX_LAG = 0.01
 """Largest difference in time between joint state and external torque [s]."""
 
 SILENCE = 1.0
-"""Without joint states for this long the tracker stops until reset [s].
+"""Without joint states for this long the tracker stops until reset [s], whoever has slept.
 
 Until then it just waits: without a joint state there is no command, and the arm holds.
 """
-
-SECOND_LOOK = 0.05
-"""Time to read what has arrived before silence counts [s]."""
 
 TICKS_PER_POSE = 5
 """One pose goes out for this many measurements: 50 Hz of 250 Hz."""
@@ -85,7 +82,6 @@ class TrackerNode(WorkspaceNode):
         self._external: Any = None
         self._sample: JointSample | None = None
         self._arrival = 0.0
-        self._overdue = False
         self._longest_silence = 0.0
         self._ticks = 0
         # The oldest command is as old as the arm is behind its commands.
@@ -106,7 +102,7 @@ class TrackerNode(WorkspaceNode):
         """Hold the arm where it is; segments are accepted from the first measurement on."""
         self._tracker = Tracker(self._settings, self._kinematics)
         # Joint states are heard while inactive as well: the watch on them begins now.
-        self._sample, self._overdue = None, False
+        self._sample = None
         self._tracker.restore(self._latched)
 
     def deactivate(self) -> None:
@@ -128,15 +124,10 @@ class TrackerNode(WorkspaceNode):
         """Return when the joint states are overdue [s]."""
         if self._sample is None:
             return None
-        patience = SILENCE + (SECOND_LOOK if self._overdue else 0.0)
-        return self._arrival + patience - time.monotonic()
+        return self._arrival + SILENCE - time.monotonic()
 
     def on_tick(self) -> None:
         """Stop: without joint states nobody knows where the arm is."""
-        if not self._overdue:
-            # If it was this process that slept, they are waiting to be read.
-            self._overdue = True
-            return
         self._sample = None
         self._tracker.silence()
         self._tell()
@@ -172,11 +163,15 @@ class TrackerNode(WorkspaceNode):
 
     def _on_sample(self, sample: JointSample) -> None:
         now = time.monotonic()
-        if self._sample is not None:
-            self._longest_silence = max(self._longest_silence, now - self._arrival)
-        self._sample, self._arrival, self._overdue = sample, now, False
-        if self.active:
-            self._cycle(sample)
+        silence = 0.0 if self._sample is None else now - self._arrival
+        self._longest_silence = max(self._longest_silence, silence)
+        self._sample, self._arrival = sample, now
+        if not self.active:
+            return
+        if silence > SILENCE:
+            # A process that has slept may find this one before its own watch.
+            self._tracker.silence()
+        self._cycle(sample)
 
     def _tell(self) -> None:
         """Log what has stopped the arm until reset, once, and keep it for a successor."""
