@@ -19,7 +19,8 @@ MAX_LINES = 300
 # What a package may import of the workspace: whatever stands above it, except where noted.
 ORDER = (
     'srnn_config', 'srnn_access', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard',
-    'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'srnn_experiments', 'srnn_bringup',
+    'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver', 'srnn_experiments',
+    'srnn_bringup',
 )  # fmt: skip
 STRANGERS = {
     'srnn_access': {'srnn_config'},
@@ -27,9 +28,10 @@ STRANGERS = {
     'srnn_planner': {'lwr_description', 'lwr_guard'},
     'lwr_tracking': {'srnn_planner', 'lwr_guard'},
     'lwr_sim_bridge': {'srnn_planner', 'lwr_tracking'},
+    'lwr_fri_driver': {'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge'},
     'lwr_description': {'srnn_msgs_py', 'srnn_node'},
     'lwr_guard': {'srnn_msgs_py', 'srnn_node'},
-    'srnn_experiments': {'srnn_node'},
+    'srnn_experiments': {'srnn_node', 'lwr_fri_driver'},
 }
 EXECUTABLES = {
     'srnn_planner': {
@@ -38,6 +40,7 @@ EXECUTABLES = {
     },
     'lwr_tracking': {'tracker': 'lwr_tracking.tracker_node:main'},
     'lwr_sim_bridge': {'sim_bridge': 'lwr_sim_bridge.bridge_node:main'},
+    'lwr_fri_driver': {'fri_driver': 'lwr_fri_driver.driver_node:main'},
     'srnn_bringup': {'srnn': 'srnn_bringup.cli:main'},
 }
 # Packages, or parts of packages, that work without ROS, and what they may not load either.
@@ -50,6 +53,7 @@ CORES = {
     'lwr_description': (),
     'lwr_guard': (),
     'lwr_sim_bridge': (),
+    'lwr_fri_driver.core': (),
     'srnn_experiments': (),
 }
 LOAD = """

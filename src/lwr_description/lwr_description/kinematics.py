@@ -72,6 +72,11 @@ class Kinematics:
         jacobian = self.jacobian(q)
         return self.tip_world - self.origin, jacobian
 
+    def tip_force(self, q: Array, torque: Array) -> Array:
+        """Return the force (3,) at the tip [N] that best explains joint torques (7,) [Nm]."""
+        jacobian = self.jacobian(q)
+        return np.asarray(np.linalg.solve(jacobian @ jacobian.T, jacobian @ torque), dtype=float)
+
     def mass_matrix(self, q: Array) -> Array:
         """Return the joint-space inertia (7, 7) [kg m^2], armature included."""
         self._place(q)

@@ -52,6 +52,10 @@ class CommandWatch:
         self._cycles = min(self._cycles + 1, WINDOW)
         return ceased
 
+    def silent_for(self, now: float) -> float:
+        """Return the time from the last good command until `now` [s]; 0 before the first."""
+        return 0.0 if self._last is None else now - self._last
+
     @property
     def answered(self) -> float:
         """Share of the last `WINDOW` cycles that brought a good command; 1 before the first."""

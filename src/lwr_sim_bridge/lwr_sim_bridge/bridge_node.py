@@ -147,8 +147,7 @@ class BridgeNode(WorkspaceNode):
         self._measured.publish(measured)
         if self._cycles % CYCLES_PER_TRUTH:
             return
-        jacobian = self._kinematics.jacobian(sample.position)
-        force = np.linalg.solve(jacobian @ jacobian.T, jacobian @ sample.external_torque)
+        force = self._kinematics.tip_force(sample.position, sample.external_torque)
         self._wrench.publish(wrench.to_msg(Wrench(now, FRAME, force, np.zeros(3))))
         self._publish_truth(now)
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lwr_description import DOF, Kinematics
+from lwr_guard.interpolator import Interpolator
 from lwr_sim_bridge.impedance import JointImpedance
-from lwr_sim_bridge.interpolator import Interpolator
 from lwr_sim_bridge.momentum_observer import MomentumObserver
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.plant import Plant

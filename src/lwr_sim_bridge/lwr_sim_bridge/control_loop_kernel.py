@@ -12,7 +12,7 @@ from lwr_description.compiled import compiled
 from lwr_description.handle import Handle
 from lwr_description.kinematics_kernel import gravity_at, mass_and_bias_at
 from lwr_description.mujoco_c import mj_step
-from lwr_sim_bridge.interpolator import transition
+from lwr_guard.interpolator import transition
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.plant import Plant
 from lwr_sim_bridge.scene_model import SceneModel

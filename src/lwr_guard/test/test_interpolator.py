@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from lwr_sim_bridge.interpolator import Interpolator
+from lwr_guard.interpolator import Interpolator
 
 TAU = 0.004
 TICK = 0.001
