@@ -8,7 +8,8 @@ import time
 import pytest
 import rclpy
 
-from lwr_sim_bridge.bridge_node import TICKS_PER_CYCLE, BridgeNode
+from lwr_sim_bridge.arm_node import TICKS_PER_CYCLE
+from lwr_sim_bridge.bridge_node import BridgeNode
 from srnn_msgs_py.health import HealthLevel
 from srnn_node.rate import RateKeeper
 

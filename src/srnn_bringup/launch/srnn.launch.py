@@ -9,20 +9,22 @@ from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import LifecycleNode
 
-from srnn_bringup.config import STANDARD_SCENE, Choices, load
-from srnn_bringup.graph import NAMES, access, describe, part, write_parameters
+from srnn_bringup.arms import ARMS
+from srnn_bringup.config import SIMULATED, STANDARD_SCENE, Choices, load
+from srnn_bringup.graph import access, chosen, part, write_parameters
 from srnn_planner.core.dissonance import SIGNALS
 
 RESPAWN_S = 1.0
 """Pause until a node that has died is started anew [s]."""
 
 ARGUMENTS = {
-    'arm': ('sim', ['sim'], 'arm to move'),
+    'arm': (SIMULATED, list(ARMS), 'arm to move'),
+    'emulator': ('false', ['false', 'true'], 'with arm:=fri: emulate the controller'),
     'scene': (STANDARD_SCENE, None, 'name of a scene in config/scenes, or path of a scene file'),
     'signal': ('', ['', *SIGNALS], 'learning signal; empty for the one of network.yaml'),
     'seed': ('0', None, 'seed of all random numbers'),
     'key': ('', None, 'file with the key that the nodes share; empty for none'),
-    'only': (','.join(NAMES), None, 'nodes to start'),
+    'only': ('', None, 'nodes to start; empty for all'),
 }
 """Default, choices and meaning of every argument."""
 
@@ -40,16 +42,18 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
     """Check the configuration, then return the nodes; each brings itself up."""
     given = {name: LaunchConfiguration(name).perform(context) for name in ARGUMENTS}
     choices = Choices(
+        arm=given['arm'],
+        emulated=given['emulator'] == 'true',
         scene=given['scene'],
         signal=given['signal'] or None,
         seed=int(given['seed']),
         key_file=Path(given['key']) if given['key'] else None,
     )
-    only = part(given['only'])
+    only = part(given['only']) if given['only'] else ()
     configuration = load(choices)
     # The directory outlives this function: the nodes read its files when they start.
     directory = Path(tempfile.mkdtemp(prefix='srnn_'))
-    nodes = describe(configuration, directory)
+    nodes = chosen(configuration, only, directory)
     files = write_parameters(nodes, directory, autostart=True, **access(configuration))
     return [
         LifecycleNode(
@@ -63,5 +67,4 @@ def launch_nodes(context: LaunchContext) -> list[LifecycleNode]:
             respawn_delay=RESPAWN_S,
         )
         for node in nodes
-        if node.name in only
     ]

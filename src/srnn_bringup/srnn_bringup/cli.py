@@ -8,8 +8,9 @@ from pathlib import Path
 import sys
 
 from srnn_access import AccessError
+from srnn_bringup.arms import ARMS
 from srnn_bringup.command_line import WRONG_USE, Parser
-from srnn_bringup.config import Choices, Configuration, load
+from srnn_bringup.config import FRI, SIMULATED, Choices, Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
 from srnn_bringup.experiment_options import add_experiments
@@ -85,8 +86,12 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         )
     }  # fmt: skip
     _add_demo(commands['demo'])
-    _add_graph(commands['up'])
+    _add_graph(commands['up'], tuple(ARMS))
     add_part(commands['up'])
+    commands['up'].add_argument(
+        '--emulator', action='store_true',
+        help='with --arm fri: emulate the controller, with the MuJoCo arm behind it',
+    )
     commands['up'].set_defaults(run=_up)
     for name, run in (('pause', _pause), ('resume', _resume)):
         commands[name].set_defaults(run=run)
@@ -108,10 +113,12 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     return parser, commands
 
 
-def _add_graph(parser: Parser) -> None:
+def _add_graph(parser: Parser, arms: tuple[str, ...]) -> None:
     """Add what every command that starts the graph has."""
+    meanings = ', '.join(f'{name} = {ARMS[name]}' for name in arms)
     parser.add_argument(
-        '--arm', choices=('sim',), default='sim', help='arm to move (default: %(default)s)'
+        '--arm', choices=arms, default=SIMULATED,
+        help=f'arm to move: {meanings} (default: %(default)s)',
     )
     add_scene(parser)
     add_network(parser)
@@ -125,7 +132,7 @@ def _add_graph(parser: Parser) -> None:
 
 
 def _add_demo(parser: Parser) -> None:
-    _add_graph(parser)
+    _add_graph(parser, (SIMULATED, FRI))
     parser.add_argument(
         '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
         help='segments to execute (default: %(default)s, about three minutes)',
@@ -135,13 +142,16 @@ def _add_demo(parser: Parser) -> None:
         '--picture', type=picture_file, default=Path('demo.png'), metavar='FILE',
         help='picture to write (default: %(default)s)',
     )  # fmt: skip
-    parser.set_defaults(run=_demo)
+    parser.set_defaults(run=_demo, emulator=None)
 
 
 def _configuration(options: argparse.Namespace) -> Configuration:
     check_environment(os.environ)
     configuration = load(
         Choices(
+            arm=options.arm,
+            # A demo has an obstacle in the way: that of the simulator.
+            emulated=options.arm == FRI if options.emulator is None else options.emulator,
             scene=options.scene,
             network=options.network,
             signal=options.signal,

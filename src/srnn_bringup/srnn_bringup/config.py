@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The configuration of the whole graph, complete and checked before anything starts."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 import difflib
 import os
 from pathlib import Path
@@ -11,19 +11,21 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import Mount
-from lwr_sim_bridge.parameters import ArmParameters
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_access import Key, key_file
+from srnn_bringup.config_files import ArmFile, FriFile, NetworkFile, TrackingFile
 from srnn_bringup.errors import ChoiceError, ConfigDirectoryError
 from srnn_config import Parameters, build, parameter, read_yaml
 from srnn_config.scene import Scene, load_scene
 from srnn_planner.core import weights_file
-from srnn_planner.core.parameters import LearningParameters, ModelParameters, PlanningParameters
+from srnn_planner.core.parameters import LearningParameters
 from srnn_planner.core.state_neurons import StateNeurons
 
 STANDARD_SCENE = 'four_waypoints'
 NETWORK = 'network'
+
+SIMULATED = 'sim'
+FRI = 'fri'
 
 SEED_MAX = 2**31 - 1
 
@@ -34,41 +36,12 @@ P = TypeVar('P', bound=Parameters)
 
 
 @dataclass(frozen=True)
-class NetworkFile(Parameters):
-    """The spiking network: what it is and learns (model), and how it plans (planning)."""
-
-    model: ModelParameters = field(default_factory=ModelParameters)
-    planning: PlanningParameters = field(default_factory=PlanningParameters)
-
-
-@dataclass(frozen=True)
-class ArmFile(Parameters):
-    """The arm: where it stands and what it holds (mount), and how it is simulated (arm)."""
-
-    mount: Mount = field(default_factory=Mount)
-    arm: ArmParameters = field(default_factory=ArmParameters)
-
-
-@dataclass(frozen=True)
-class TrackingFile(Parameters):
-    """Tracking: which segments are accepted, how they are followed, what counts as contact."""
-
-    tracking: TrackerParameters = field(default_factory=TrackerParameters)
-
-
-FILES: dict[str, type[Parameters]] = {
-    'network.yaml': NetworkFile,
-    'arm.yaml': ArmFile,
-    'tracking.yaml': TrackingFile,
-}
-"""Name of every configuration file and what it holds."""
-
-
-@dataclass(frozen=True)
 class Choices:
     """What the command line decides; None leaves it to the files.
 
     Attributes:
+        arm: name of an arm, see `srnn_bringup.arms`.
+        emulated: whether its controller is emulated.
         scene: name of a scene in the configuration, or path of a scene file.
         network: name of a network in the configuration, or path of its file.
         signal: learning signal.
@@ -81,6 +54,8 @@ class Choices:
 
     """
 
+    arm: str = SIMULATED
+    emulated: bool = False
     scene: str = STANDARD_SCENE
     network: str = NETWORK
     signal: str | None = None
@@ -102,6 +77,9 @@ class Configuration(Parameters):
         network: content of network.yaml, with the choices of the command line.
         arm: content of arm.yaml.
         tracking: content of tracking.yaml.
+        fri: content of fri.yaml.
+        robot: name of the arm that is moved.
+        emulated: whether its controller is emulated.
         initial_weights: absolute path of the weights to start from, None for the prior.
         weights_file: absolute path of the weights that are written, None for none.
         key_file: absolute path of the key that the nodes share, None for none.
@@ -114,6 +92,9 @@ class Configuration(Parameters):
     network: NetworkFile
     arm: ArmFile
     tracking: TrackingFile
+    fri: FriFile
+    robot: str = SIMULATED
+    emulated: bool = False
     initial_weights: Path | None = None
     weights_file: Path | None = None
     key_file: Path | None = None
@@ -135,6 +116,22 @@ class Configuration(Parameters):
             raise self.refuse(
                 'model.network.dimensions', dimensions, '2: scenes and the tracker are planar'
             )
+
+    @property
+    def tracker(self) -> TrackerParameters:
+        """What the tracker is told; over FRI it keeps the pace of the controller."""
+        tracking = self.tracking.tracking
+        if self.robot != FRI:
+            return tracking
+        period = self.fri.fri.link.cycle
+        return replace(
+            tracking,
+            period=period,
+            law=replace(tracking.law, lead=self.fri.lead),
+            limits=replace(
+                tracking.limits, max_step=max(tracking.limits.max_step, 2.0 * period)
+            ),
+        )
 
     @property
     def learning(self) -> LearningParameters:
@@ -182,6 +179,8 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         AccessError: the key file is missing, or not as it must be.
 
     """
+    if choices.emulated and choices.arm != FRI:
+        raise ChoiceError(f"arm '{choices.arm}' has no controller to emulate; it is for '{FRI}'")
     directory = config_directory() if directory is None else directory
     scene_path = find_scene(choices.scene, directory)
     network_path = find_network(choices.network, directory)
@@ -191,12 +190,16 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         network=_with_choices(_read(NetworkFile, network_path), choices),
         arm=_read(ArmFile, directory / 'arm.yaml'),
         tracking=_read(TrackingFile, directory / 'tracking.yaml'),
+        fri=_read(FriFile, directory / 'fri.yaml'),
+        robot=choices.arm,
+        emulated=choices.emulated,
         initial_weights=_absolute(choices.initial_weights),
         weights_file=_absolute(choices.weights_file),
         key_file=_absolute(choices.key_file),
         keystore=_absolute(choices.keystore),
         seed=choices.seed,
     )
+    _ = configuration.tracker
     configuration.start_weights()
     configuration.key()
     return configuration

@@ -14,7 +14,7 @@ from typing import Any, get_type_hints
 
 import yaml
 
-from srnn_bringup.config import FILES
+from srnn_bringup.config_files import FILES
 from srnn_config import Parameters, ParameterSpec
 from srnn_config.fields import spec_of
 

@@ -1,41 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """The graph as data: its nodes, where they live, and what each of them is told."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
 import difflib
 from pathlib import Path
 from typing import Any
 
 import yaml
 
+from srnn_bringup.arms import ARM_NODES, describe_arm
 from srnn_bringup.config import Configuration
 from srnn_bringup.errors import ChoiceError
+from srnn_bringup.node_description import NodeDescription
 from srnn_config import to_mapping
 
+BRAIN = ('tracker', 'adapter', 'planner')
+"""The nodes that are the same for every arm."""
 
-@dataclass(frozen=True)
-class NodeDescription:
-    """One node of the graph.
-
-    Attributes:
-        name: name of the node.
-        package: ROS package that installs it.
-        executable: its name for ``ros2 run``.
-        module: its name for ``python -m``.
-        parameters: nested parameter mapping of plain data.
-
-    """
-
-    name: str
-    package: str
-    executable: str
-    module: str
-    parameters: Mapping[str, Any]
-
-
-NAMES = ('sim_bridge', 'tracker', 'adapter', 'planner')
-"""Names of the nodes in the order in which they are brought up."""
+NAMES = (*ARM_NODES, *BRAIN)
+"""Names of all nodes that a graph may have, in the order in which they are brought up."""
 
 CHECKPOINT = 'checkpoint.npz'
 """Name of the file from which a restarted adapter goes on."""
@@ -59,16 +42,16 @@ def describe(
     """
     scene = str(configuration.scene_path)
     seed = configuration.seed
-    network, arm = to_mapping(configuration.network), to_mapping(configuration.arm)
-    tracking = to_mapping(configuration.tracking)
+    network = to_mapping(configuration.network)
     return (
-        NodeDescription(
-            'sim_bridge', 'lwr_sim_bridge', 'sim_bridge', 'lwr_sim_bridge.bridge_node',
-            {'scene': scene, 'seed': seed, **arm},
-        ),
+        *describe_arm(configuration),
         NodeDescription(
             'tracker', 'lwr_tracking', 'tracker', 'lwr_tracking.tracker_node',
-            {'latch': _text(directory, LATCH), 'mount': arm['mount'], **tracking},
+            {
+                'latch': _text(directory, LATCH),
+                'mount': to_mapping(configuration.arm.mount),
+                'tracking': to_mapping(configuration.tracker),
+            },
         ),
         NodeDescription(
             'adapter', 'srnn_planner', 'adapter', 'srnn_planner.nodes.adapter_node',
@@ -106,6 +89,30 @@ def part(text: str) -> tuple[str, ...]:
             hint = f" (did you mean '{near[0]}'?)" if near else ''
             raise ChoiceError(f'unknown node {name!r}{hint}; nodes: {", ".join(NAMES)}')
     return tuple(name for name in NAMES if name in chosen)
+
+
+def chosen(
+    configuration: Configuration, names: Collection[str], directory: Path | None = None
+) -> tuple[NodeDescription, ...]:
+    """Return those nodes of the graph that were chosen, all if none was.
+
+    Raises:
+        ChoiceError: a chosen one is not in this graph; the message lists those that are.
+
+    """
+    nodes = describe(configuration, directory)
+    there = [node.name for node in nodes]
+    for name in names:
+        if name not in there:
+            raise ChoiceError(
+                f"'{name}' is no node of arm '{configuration.robot}'; nodes: {', '.join(there)}"
+            )
+    return tuple(node for node in nodes if not names or node.name in names)
+
+
+def complete(seen: Collection[str]) -> bool:
+    """Tell whether nodes of these names are a whole graph, whatever its arm is."""
+    return set(BRAIN) <= set(seen) and not set(ARM_NODES).isdisjoint(seen)
 
 
 def write_parameters(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The running graph: its processes and the way through their lifecycles."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from contextlib import ExitStack, suppress
 from functools import partial
 import os
@@ -23,8 +23,9 @@ from srnn_bringup.errors import (
     NodeDiedError,
     TransitionError,
 )
-from srnn_bringup.graph import NAMES, NodeDescription, access, describe, write_parameters
+from srnn_bringup.graph import access, chosen, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
+from srnn_bringup.node_description import NodeDescription
 from srnn_bringup.restarts import Restarts
 from srnn_bringup.session import session
 from srnn_bringup.states import States
@@ -56,7 +57,7 @@ class LiveGraph:
         stop: StopRequest,
         say: Callable[[str], None],
         restarts: Restarts | None = None,
-        names: tuple[str, ...] = NAMES,
+        names: Collection[str] = (),
     ) -> None:
         """Start nothing yet.
 
@@ -66,7 +67,10 @@ class LiveGraph:
             say: told in words what happens.
             restarts: when to start active nodes anew that have died; None: the graph is
                 at its end then.
-            names: which nodes, in the order of their bring-up.
+            names: which nodes; all if empty.
+
+        Raises:
+            ChoiceError: one of them is not in this graph.
 
         """
         self._restarts = restarts
@@ -75,7 +79,8 @@ class LiveGraph:
         self._say = say
         self._stack = ExitStack()
         self._active: list[LifecycleClient] = []
-        self.names = names
+        self._chosen = names
+        self.names = tuple(node.name for node in chosen(configuration, names))
 
     def __enter__(self) -> Self:
         with ExitStack() as stack:
@@ -141,8 +146,7 @@ class LiveGraph:
 
     def _start(self, stack: ExitStack) -> None:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='srnn_')))
-        whole = describe(self._configuration, directory)
-        self._descriptions = tuple(node for node in whole if node.name in self.names)
+        self._descriptions = chosen(self._configuration, self._chosen, directory)
         self._files = write_parameters(
             self._descriptions, directory, **access(self._configuration)
         )

@@ -74,7 +74,7 @@ def add_peers(parser: argparse.ArgumentParser) -> None:
 def add_part(parser: argparse.ArgumentParser) -> None:
     """Add the choice of a part of the graph."""
     parser.add_argument(
-        '--only', type=_checked(part), default=NAMES, metavar='NODE[,NODE...]',
+        '--only', type=_checked(part), default=(), metavar='NODE[,NODE...]',
         help=f'nodes to start on this host: {", ".join(NAMES)} (default: all)',
     )
 

@@ -8,10 +8,11 @@ from pathlib import Path
 import signal
 import sys
 
+from srnn_bringup.arms import HOLDING
 from srnn_bringup.console import Console
 from srnn_bringup.environment import DOMAIN_ID
 from srnn_bringup.errors import BringupError, ChoiceError, Interrupted, TransitionError
-from srnn_bringup.graph import NAMES
+from srnn_bringup.graph import NAMES, complete
 from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.live_graph import ACTIVATE_S, DEACTIVATE_S
 from srnn_bringup.peer_profile import talking_to
@@ -20,9 +21,6 @@ from srnn_bringup.pump import Pump
 from srnn_bringup.session import session
 from srnn_bringup.standstill import Standstill
 from srnn_node.signals import StopRequest
-
-ARM = 'sim_bridge'
-"""Stays active in a pause: it holds the pose of the arm."""
 
 LOOK_S = 4.0
 """A node that is not seen by then does not run in this domain [s]."""
@@ -51,7 +49,7 @@ class RunningGraph:
         self._standstill = standstill
 
     def pause(self, say: Callable[[str], None]) -> None:
-        """Deactivate the planner, wait until the arm rests, deactivate adapter and tracker.
+        """Deactivate the planner, wait until the arm rests, deactivate what moves it.
 
         Raises:
             BringupError: a node did not do its part; the others have.
@@ -86,7 +84,7 @@ class RunningGraph:
                 raise TransitionError(f'{client.name} is {state}: it has nothing to resume')
 
     def _pause(self, client: LifecycleClient, say: Callable[[str], None]) -> None:
-        if client.name == ARM:
+        if client.name in HOLDING:
             return
         state = client.state(self._pump, ANSWER_S)
         if state != 'active':
@@ -149,7 +147,7 @@ def running_graph(
 
     with session(name, guard, keystore) as (node, pump):
         standstill = Standstill(node)
-        pump.until(lambda: set(NAMES) <= set(node.get_node_names()), LOOK_S)
+        pump.until(lambda: complete(node.get_node_names()), LOOK_S)
         seen = set(node.get_node_names())
         if not seen & set(NAMES):
             domain = os.environ.get(DOMAIN_ID) or '0'

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """`srnn up`: the graph, until the user has had enough."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 import sys
 
 from srnn_bringup.config import Configuration
 from srnn_bringup.console import Console
 from srnn_bringup.errors import BringupError, Interrupted
-from srnn_bringup.graph import NAMES
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.peer_profile import talking_to
 from srnn_bringup.peers import Peer
@@ -16,13 +15,13 @@ from srnn_node.signals import StopRequest
 
 
 def run_up(
-    configuration: Configuration, names: tuple[str, ...] = NAMES, peers: Sequence[Peer] = ()
+    configuration: Configuration, names: Collection[str] = (), peers: Sequence[Peer] = ()
 ) -> int:
     """Start the graph and keep it up until a signal comes; a node that dies is started anew.
 
     Args:
         configuration: what the nodes are told.
-        names: which nodes, in the order of their bring-up.
+        names: which nodes; all if empty.
         peers: other hosts, where the rest of the graph runs.
 
     Returns:

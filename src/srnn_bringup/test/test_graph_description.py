@@ -6,22 +6,88 @@ import pytest
 import yaml
 
 from srnn_bringup.config import Choices, load
-from srnn_bringup.graph import NAMES, describe, write_parameters
+from srnn_bringup.errors import ChoiceError
+from srnn_bringup.graph import BRAIN, NAMES, chosen, complete, describe, write_parameters
 from srnn_config import build, to_mapping
 from srnn_msgs_py.topics import NODES
 from srnn_node.lifecycle import WorkspaceNode
 
 
+GRAPHS = {
+    'sim': Choices(seed=5),
+    'mock': Choices(seed=5, arm='mock'),
+    'fri': Choices(seed=5, arm='fri'),
+    'fri emulated': Choices(seed=5, arm='fri', emulated=True),
+}
+BEFORE = {
+    'sim': ('sim_bridge',), 'mock': ('mock_arm',), 'fri': ('fri_driver',),
+    'fri emulated': ('fri_emulator', 'fri_driver'),
+}  # fmt: skip
+
+
 @pytest.fixture(scope='module')
-def nodes():
-    return {node.name: node for node in describe(load(Choices(seed=5)))}
+def graphs():
+    return {
+        name: {node.name: node for node in describe(load(choices))}
+        for name, choices in GRAPHS.items()
+    }
 
 
-def test_the_arm_comes_up_first_and_the_planner_last(nodes):
-    assert tuple(nodes) == NAMES
-    assert set(nodes) == set(NODES)
-    first, *_, last = nodes
-    assert (first, last) == ('sim_bridge', 'planner')
+@pytest.fixture(scope='module')
+def nodes(graphs):
+    return graphs['fri emulated'] | graphs['mock'] | graphs['sim']
+
+
+@pytest.mark.parametrize('name', GRAPHS)
+def test_the_arm_comes_up_first_and_the_planner_last(graphs, name):
+    assert tuple(graphs[name]) == (*BEFORE[name], *BRAIN)
+    assert [node for node in NAMES if node in graphs[name]] == list(graphs[name])
+
+
+def test_the_table_of_topics_knows_every_node():
+    assert set(NAMES) == set(NODES)
+
+
+@pytest.mark.parametrize('name', GRAPHS)
+def test_a_graph_is_complete_with_any_arm(graphs, name):
+    seen = list(graphs[name])
+    assert complete(seen)
+    assert not complete(seen[:-1])
+    assert not complete(BRAIN)
+
+
+def test_a_node_of_another_arm_cannot_be_chosen():
+    configuration = load(Choices())
+    assert [node.name for node in chosen(configuration, ('planner', 'sim_bridge'))] == [
+        'sim_bridge', 'planner',
+    ]  # fmt: skip
+    with pytest.raises(ChoiceError) as caught:
+        chosen(configuration, ('fri_driver',))
+    assert str(caught.value) == (
+        "'fri_driver' is no node of arm 'sim'; nodes: sim_bridge, tracker, adapter, planner"
+    )
+
+
+def test_over_fri_the_tracker_keeps_the_pace_of_the_controller(graphs):
+    for name in ('fri', 'fri emulated'):
+        tracker, driver = graphs[name]['tracker'], graphs[name]['fri_driver']
+        link = driver.parameters['fri']['link']
+        assert tracker.parameters['tracking']['period'] == link['cycle']
+        assert tracker.parameters['tracking']['limits']['max_step'] >= 2 * link['cycle']
+    assert graphs['sim']['tracker'].parameters['tracking']['period'] == 0.004
+
+
+def test_an_emulated_controller_and_its_driver_meet_and_meet_nobody_else(graphs):
+    nodes = graphs['fri emulated']
+    emulator, driver = (nodes[name].parameters for name in ('fri_emulator', 'fri_driver'))
+    assert emulator['port'] == driver['fri']['link']['port'] != 49938
+    assert emulator['driver'] == driver['fri']['link']['controller'] == '127.0.0.1'
+    assert graphs['fri']['fri_driver'].parameters['fri']['link']['port'] == 49938
+
+
+def test_only_a_controller_can_be_emulated():
+    with pytest.raises(ChoiceError, match="arm 'mock' has no controller to emulate"):
+        load(Choices(arm='mock', emulated=True))
 
 
 @pytest.mark.parametrize('name', NODES)
@@ -61,7 +127,7 @@ def parameter_class(module):
         for member in members
         if isinstance(member, type)
         and issubclass(member, WorkspaceNode)
-        and member is not WorkspaceNode
+        and member.__module__ == module
     ]
     return node_class.PARAMETERS
 

@@ -10,6 +10,9 @@ SERVICES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         'adapter': ('save', 'load', 'revert'),
         'tracker': ('stop', 'reset', 'pause', 'resume'),
         'sim_bridge': ('reset', 'set_obstacle_*'),
+        'mock_arm': (),
+        'fri_driver': ('reset',),
+        'fri_emulator': ('set_obstacle_*',),
     }
 )
 """Private names by node; ``*`` stands for the number of an obstacle."""

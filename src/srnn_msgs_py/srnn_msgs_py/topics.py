@@ -7,7 +7,10 @@ from srnn_msgs_py.errors import UnknownTopicError
 from srnn_msgs_py.ownership import COMMAND, KEYED, MOVING, Ownership
 from srnn_msgs_py.qos import EVENT, LATCHED, MOTION, SENSOR, Qos
 
-NODES = ('planner', 'adapter', 'tracker', 'sim_bridge')
+ARMS = ('sim_bridge', 'mock_arm', 'fri_driver')
+"""The nodes that can stand for the arm, one at a time."""
+
+NODES = ('planner', 'adapter', 'tracker', *ARMS, 'fri_emulator')
 """The nodes of the graph; every other name in the table is a person or a tool."""
 
 
@@ -52,7 +55,7 @@ TOPICS = (
     ),
     Topic(
         'segment_result', 'diagnostic_msgs/msg/DiagnosticStatus', EVENT,
-        ('tracker',), ('planner', 'sim_bridge', 'user'),
+        ('tracker',), ('planner', 'sim_bridge', 'fri_emulator', 'user'),
         'how a segment ended: DONE, BLOCKED, REJECTED, STALE or FAULT, and why', KEYED,
     ),
     Topic(
@@ -75,26 +78,26 @@ TOPICS = (
     ),
     Topic(
         'joint_states', 'sensor_msgs/msg/JointState', MOTION,
-        ('sim_bridge',), ('tracker', 'view'),
+        ARMS, ('tracker', 'view'),
         'measured joint angles, velocities and torques (effort)', KEYED,
     ),
     Topic(
         'external_torque/joint_states', 'sensor_msgs/msg/JointState', MOTION,
-        ('sim_bridge',), ('tracker',),
+        ARMS, ('tracker',),
         "the arm's own estimate of the external joint torques (effort)", KEYED,
     ),
     Topic(
-        'wrench', 'geometry_msgs/msg/WrenchStamped', MOTION, ('sim_bridge',), ('view',),
+        'wrench', 'geometry_msgs/msg/WrenchStamped', MOTION, ARMS, ('view',),
         'estimated force on the tool',
     ),
     Topic(
         'forward_position_controller/commands', 'std_msgs/msg/Float64MultiArray', MOTION,
-        ('tracker',), ('sim_bridge',),
+        ('tracker',), ARMS,
         'joint angles to go to, at the rate of the joint states', COMMAND,
     ),
     Topic(
         'contact_truth', 'geometry_msgs/msg/WrenchStamped', SENSOR,
-        ('sim_bridge',), ('user',),
+        ('sim_bridge', 'fri_emulator'), ('user',),
         'true contact force of the simulator, for scoring only',
     ),
     Topic(
