@@ -39,7 +39,11 @@ EXECUTABLES = {
         'adapter': 'srnn_planner.nodes.adapter_node:main',
     },
     'lwr_tracking': {'tracker': 'lwr_tracking.tracker_node:main'},
-    'lwr_sim_bridge': {'sim_bridge': 'lwr_sim_bridge.bridge_node:main'},
+    'lwr_sim_bridge': {
+        'sim_bridge': 'lwr_sim_bridge.bridge_node:main',
+        'mock_arm': 'lwr_sim_bridge.mock_arm_node:main',
+        'fri_emulator': 'lwr_sim_bridge.fri.emulator_node:main',
+    },
     'lwr_fri_driver': {'fri_driver': 'lwr_fri_driver.driver_node:main'},
     'srnn_bringup': {'srnn': 'srnn_bringup.cli:main'},
 }

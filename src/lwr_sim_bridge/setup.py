@@ -25,6 +25,8 @@ setup(
     entry_points={
         'console_scripts': [
             'sim_bridge = lwr_sim_bridge.bridge_node:main',
+            'mock_arm = lwr_sim_bridge.mock_arm_node:main',
+            'fri_emulator = lwr_sim_bridge.fri.emulator_node:main',
         ],
     },
 )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A process on one of two hosts, and what it prints; for fault tests."""
 
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 import json
 import os
@@ -87,7 +88,11 @@ class HostProcess:
     def _read(self) -> None:
         assert self.process.stdout is not None
         for line in self.process.stdout:
-            self.lines.append(line.rstrip())
+            self.take(line.rstrip())
+
+    def take(self, line: str) -> None:
+        """Take in a line of the output."""
+        self.lines.append(line)
 
 
 class Tap(HostProcess):
@@ -95,12 +100,19 @@ class Tap(HostProcess):
 
     def __init__(self, host: Host, environment: Mapping[str, str]) -> None:
         """Begin to listen."""
+        # Sorted as it comes: a tap that has run for long must not answer more slowly.
+        self._heard: defaultdict[str, list[dict[str, Any]]] = defaultdict(list)
         super().__init__(host, [sys.executable, str(TAP)], environment)
 
     def heard(self, topic: str) -> list[dict[str, Any]]:
         """Return the messages of a topic so far, oldest first."""
-        wanted = json.dumps({'topic': topic})[1:-1]
-        return [json.loads(line) for line in list(self.lines) if wanted in line]
+        return self._heard[topic].copy()
+
+    def take(self, line: str) -> None:
+        super().take(line)
+        if line.startswith('{'):
+            message = json.loads(line)
+            self._heard[message['topic']].append(message)
 
     def nodes(self) -> list[str]:
         """Return the names of the nodes that are seen now."""

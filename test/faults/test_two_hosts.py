@@ -3,6 +3,7 @@
 
 from collections.abc import Iterator
 from ipaddress import ip_address
+import math
 import os
 from pathlib import Path
 import re
@@ -104,10 +105,10 @@ def off(places: np.ndarray, segments: list[dict]) -> float:
 
 def a_segment_begins(heard: Tap) -> bool:
     """Tell whether one segment has just ended, and the arm moves on in the next one."""
-    results = heard.heard('segment_result')
-    _, places = tips(heard)
-    fresh = bool(results) and time.monotonic() - results[-1]['t'] < 0.2
-    return fresh and bool(np.linalg.norm(places[-1] - places[-4]) > 0.003)
+    results, poses = heard.heard('segment_result'), heard.heard('current_pose')
+    if not results or time.monotonic() - results[-1]['t'] > 0.2:
+        return False
+    return math.dist(poses[-1]['tip'], poses[-4]['tip']) > 0.003
 
 
 def goes_on(graph, since: float) -> None:

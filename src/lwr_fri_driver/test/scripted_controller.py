@@ -12,6 +12,9 @@ from lwr_fri_driver.core.parameters import DriverParameters
 HOME = [0.0, -0.5, 0.25, 1.5, 0.0, 0.5, 0.0]
 CYCLE = 0.005
 
+BITS = np.spacing(np.float32(4.0))
+"""Single precision of an angle [rad]."""
+
 NAMES = {name.rpartition('.')[2]: name for name in MEASUREMENT}
 
 OFF, MONITOR, COMMANDING = 0, 1, 2

@@ -55,6 +55,12 @@ def wait_for(client, phase, seconds=20.0):
         client.take()
 
 
+def take_for_ever(client):
+    while True:
+        client.take()
+        client.wait(5.0)
+
+
 def test_from_silence_to_command_mode_and_back(client, controller):
     wait_for(client, Phase.MONITOR)
     client.wish(Wish.START)
@@ -93,11 +99,8 @@ def test_the_node_hears_of_a_fault_and_of_its_end(client, controller):
 
 def test_a_process_that_ends_is_noticed(client):
     os.kill(client.pid, signal.SIGKILL)
-    client.wait(5.0)
     with pytest.raises(LoopError, match='the process that answers the controller has ended'):
-        while True:
-            client.take()
-            client.wait(5.0)
+        take_for_ever(client)
     with pytest.raises(LoopError, match='has ended'):
         client.wish(Wish.STOP)
 

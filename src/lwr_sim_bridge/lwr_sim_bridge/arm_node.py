@@ -11,6 +11,7 @@ from lwr_description import DOF, JOINT_NAMES, Kinematics, Mount
 from lwr_guard import CommandWatch, Refusal
 from lwr_guard.command_watch import POOR, SPARSE
 from lwr_sim_bridge.errors import SimulationError
+from lwr_sim_bridge.simulated_arm import TICK
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.ros import commands, joints, wrench
@@ -20,7 +21,6 @@ from srnn_node.errors import NodeError
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.rate import RateKeeper
 
-TICK = 0.001
 TICKS_PER_CYCLE = 4
 """Commands are taken and joint states go out every 4 ms; the controller runs at 1 kHz."""
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from lwr_description import DOF, Kinematics
 from lwr_guard.interpolator import Interpolator
-from lwr_sim_bridge.impedance import JointImpedance
+from lwr_sim_bridge.impedance import JointImpedance, impedance_of
 from lwr_sim_bridge.momentum_observer import MomentumObserver
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.plant import Plant
@@ -37,7 +37,7 @@ class ControlLoop:
         mass = kinematics.mass_matrix(q)
         self._kinematics = kinematics
         self._interpolator = Interpolator(q, parameters.command.time_constant, tick)
-        self._impedance = JointImpedance(parameters.impedance)
+        self._impedance = JointImpedance(*impedance_of(parameters.impedance))
         self._impedance.adapt(mass)
         self._observer = MomentumObserver(parameters.observer.gain, mass, np.zeros(DOF))
         self._ticks_per_estimate = parameters.observer.ticks
@@ -54,6 +54,10 @@ class ControlLoop:
     def head_for(self, q: Array) -> None:
         """Take the joint angles `q` (7,) [rad] as the command from the next tick on."""
         self._interpolator.command(q)
+
+    def set_impedance(self, stiffness: Array, damping_ratio: Array) -> None:
+        """Take stiffness (7,) [Nm/rad] and damping ratio (7,) of the joints from now on."""
+        self._impedance.set(stiffness, damping_ratio)
 
     def run(self, ticks: int, noise: Array) -> int:
         """Advance until the simulator warns, the tool touches something or time is up.

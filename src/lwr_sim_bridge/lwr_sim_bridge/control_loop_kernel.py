@@ -13,6 +13,7 @@ from lwr_description.handle import Handle
 from lwr_description.kinematics_kernel import gravity_at, mass_and_bias_at
 from lwr_description.mujoco_c import mj_step
 from lwr_guard.interpolator import transition
+from lwr_sim_bridge.impedance import impedance_of
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.plant import Plant
 from lwr_sim_bridge.scene_model import SceneModel
@@ -26,7 +27,7 @@ class _Settings(NamedTuple):
     transition: Array
     torque_max: Array
     stiffness: Array
-    damping_ratio: float
+    damping_ratio: Array
     gain: float
     ticks_per_estimate: int
     tick: float
@@ -59,8 +60,7 @@ class ControlLoop:
             kinematics.moving,
             transition(parameters.command.time_constant, tick),
             TORQUE_MAX,
-            np.array(parameters.impedance.stiffness),
-            parameters.impedance.damping_ratio,
+            *impedance_of(parameters.impedance),
             parameters.observer.gain,
             parameters.observer.ticks,
             tick,
@@ -87,6 +87,11 @@ class ControlLoop:
     def head_for(self, q: Array) -> None:
         """See `control_loop.ControlLoop`."""
         self._memory.command[:] = q
+
+    def set_impedance(self, stiffness: Array, damping_ratio: Array) -> None:
+        """See `control_loop.ControlLoop`."""
+        self._settings.stiffness[:] = stiffness
+        self._settings.damping_ratio[:] = damping_ratio
 
     def run(self, ticks: int, noise: Array) -> int:
         """See `control_loop.ControlLoop`."""
@@ -179,4 +184,4 @@ def _observe(plant, settings, memory, noise):
 def _adapt(settings, memory):
     for i in range(memory.damping.shape[0]):
         spring = settings.stiffness[i] * memory.mass[i, i]
-        memory.damping[i] = 2.0 * settings.damping_ratio * np.sqrt(spring)
+        memory.damping[i] = 2.0 * settings.damping_ratio[i] * np.sqrt(spring)

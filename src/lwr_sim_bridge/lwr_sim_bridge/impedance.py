@@ -10,6 +10,11 @@ from lwr_sim_bridge.parameters import ImpedanceParameters
 Array = NDArray[np.float64]
 
 
+def impedance_of(parameters: ImpedanceParameters) -> tuple[Array, Array]:
+    """Return stiffness (7,) [Nm/rad] and damping ratio (7,) of the joints."""
+    return np.array(parameters.stiffness), np.full(DOF, parameters.damping_ratio)
+
+
 class JointImpedance:
     """tau = K (q_d - q) + D (v_d - v) + g(q), clamped to the torque limits.
 
@@ -17,13 +22,22 @@ class JointImpedance:
     (Albu-Schaeffer, Ott and Hirzinger 2007, with the diagonal of M for the whole).
     """
 
-    def __init__(self, parameters: ImpedanceParameters) -> None:
-        """Take stiffness and damping ratio; call `adapt` before `torque`."""
-        self._stiffness = np.array(parameters.stiffness)
-        self._ratio = parameters.damping_ratio
+    def __init__(self, stiffness: Array, damping_ratio: Array) -> None:
+        """Take what `set` takes; call `adapt` before `torque`."""
+        self.set(stiffness, damping_ratio)
         self._damping = np.zeros(DOF)
         self._torque = np.empty(DOF)
         self._scratch = np.empty(DOF)
+
+    def set(self, stiffness: Array, damping_ratio: Array) -> None:
+        """Change the law; the damping follows in the next call of `adapt`.
+
+        Args:
+            stiffness: (7,) K [Nm/rad].
+            damping_ratio: (7,) zeta.
+
+        """
+        self._stiffness, self._ratio = stiffness.copy(), damping_ratio.copy()
 
     def adapt(self, mass: Array) -> None:
         """Fit the damping to the joint-space inertia `mass` (7, 7) [kg m^2]."""

@@ -9,9 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lwr_description import DOF, Kinematics, Mount
 from lwr_guard import CommandGate, CommandWatch, GuardParameters, Refusal
+from lwr_sim_bridge.simulated_arm import TICK
 from srnn_msgs_py.joints import JointSample
-
-TICK = 0.001
 
 
 class MockArm:

@@ -107,6 +107,16 @@ class SimulatedArm:
         """Put obstacle number `index` of the scene there, or take it away, from now on."""
         self._scene.set_obstacle(index, there)
 
+    def set_impedance(self, stiffness: ArrayLike, damping_ratio: ArrayLike) -> None:
+        """Change the joint impedance law from now on.
+
+        Args:
+            stiffness: (7,) of the joints [Nm/rad].
+            damping_ratio: (7,) share of critical damping of the joints.
+
+        """
+        self._loop.set_impedance(np.array(stiffness), np.array(damping_ratio))
+
     def clear_peak(self) -> None:
         """Start a new search for `truth.peak`."""
         self._truth.clear_peak()

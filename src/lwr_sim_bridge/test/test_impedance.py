@@ -6,7 +6,7 @@ import pytest
 
 from lwr_description import TORQUE_MAX
 from lwr_sim_bridge import ImpedanceParameters
-from lwr_sim_bridge.impedance import JointImpedance
+from lwr_sim_bridge.impedance import JointImpedance, impedance_of
 
 PARAMETERS = ImpedanceParameters()
 STIFFNESS = np.array(PARAMETERS.stiffness)
@@ -16,7 +16,7 @@ ZERO = np.zeros(7)
 
 @pytest.fixture
 def law():
-    law = JointImpedance(PARAMETERS)
+    law = JointImpedance(*impedance_of(PARAMETERS))
     law.adapt(MASS)
     return law
 
@@ -36,6 +36,16 @@ def test_velocity_error_meets_the_stated_damping_ratio(law):
     damping = law.torque(ZERO, ZERO, ZERO, error, ZERO) / error
     ratio = damping / (2 * np.sqrt(STIFFNESS * MASS.diagonal()))
     np.testing.assert_allclose(ratio, PARAMETERS.damping_ratio)
+
+
+def test_a_softer_law_is_softer_in_the_joint_that_was_made_so(law):
+    stiffness, ratio = np.where(np.arange(7) == 3, 50.0, STIFFNESS), np.full(7, 0.5)
+    law.set(stiffness, ratio)
+    law.adapt(MASS)
+    error = np.full(7, 1e-3)
+    np.testing.assert_allclose(law.torque(ZERO, ZERO, error, ZERO, ZERO), stiffness * error)
+    damping = law.torque(ZERO, ZERO, ZERO, error, ZERO) / error
+    np.testing.assert_allclose(damping, 2 * ratio * np.sqrt(stiffness * MASS.diagonal()))
 
 
 def test_torque_is_clamped_on_both_sides(law):

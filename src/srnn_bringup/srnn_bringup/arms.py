@@ -59,8 +59,10 @@ def _describe_fri(configuration: Configuration) -> tuple[NodeDescription, ...]:
                     'seed': configuration.seed,
                     'driver': '127.0.0.1',
                     'port': fri['link']['port'],
+                    'cycle': round(1e3 * configuration.fri.fri.link.cycle),
+                    'handshake': configuration.fri.fri.link.handshake,
                     **arm,
-                    'controller': to_mapping(configuration.controller),
+                    'controller': to_mapping(configuration.fri.emulator),
                 },
             ),
         )  # fmt: skip

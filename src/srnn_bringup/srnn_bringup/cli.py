@@ -2,7 +2,7 @@
 """The `srnn` command."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 import os
 from pathlib import Path
 import sys
@@ -86,7 +86,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         )
     }  # fmt: skip
     _add_demo(commands['demo'])
-    _add_graph(commands['up'], tuple(ARMS))
+    _add_graph(commands['up'], ARMS)
     add_part(commands['up'])
     commands['up'].add_argument(
         '--emulator', action='store_true',
@@ -113,11 +113,11 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     return parser, commands
 
 
-def _add_graph(parser: Parser, arms: tuple[str, ...]) -> None:
+def _add_graph(parser: Parser, arms: Mapping[str, str]) -> None:
     """Add what every command that starts the graph has."""
-    meanings = ', '.join(f'{name} = {ARMS[name]}' for name in arms)
+    meanings = ', '.join(f'{name} = {meaning}' for name, meaning in arms.items())
     parser.add_argument(
-        '--arm', choices=arms, default=SIMULATED,
+        '--arm', choices=tuple(arms), default=SIMULATED,
         help=f'arm to move: {meanings} (default: %(default)s)',
     )
     add_scene(parser)
@@ -132,7 +132,10 @@ def _add_graph(parser: Parser, arms: tuple[str, ...]) -> None:
 
 
 def _add_demo(parser: Parser) -> None:
-    _add_graph(parser, (SIMULATED, FRI))
+    _add_graph(
+        parser,
+        {SIMULATED: ARMS[SIMULATED], FRI: 'the same behind FRI and an emulated controller'},
+    )
     parser.add_argument(
         '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
         help='segments to execute (default: %(default)s, about three minutes)',

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from lwr_description import Mount
 from lwr_fri_driver.core.parameters import DriverParameters
+from lwr_sim_bridge.fri.parameters import ControllerParameters
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_config import Parameters, parameter
@@ -36,14 +37,15 @@ class TrackingFile(Parameters):
 
 @dataclass(frozen=True)
 class FriFile(Parameters):
-    """The real arm over FRI: how its controller is talked to (fri), and how it is followed."""
+    """The arm over FRI: how its controller is talked to (fri), followed, and emulated."""
 
-    fri: DriverParameters = field(default_factory=DriverParameters)
     lead: float = parameter(
         0.02, unit='s', minimum=0.0, maximum=0.1,
         doc='Time by which commands run ahead of where the measured tip should be, in place of '
         'tracking.law.lead.',
     )
+    fri: DriverParameters = field(default_factory=DriverParameters)
+    emulator: ControllerParameters = field(default_factory=ControllerParameters)
 
 
 FILES: dict[str, type[Parameters]] = {

@@ -27,6 +27,7 @@ NEEDED = (
     'visualization_msgs', 'diagnostic_msgs', 'cryptography', 'srnn_access', 'srnn_config',
     'srnn_msgs_py',
     'srnn_node', 'srnn_planner', 'lwr_description', 'lwr_guard', 'lwr_tracking', 'lwr_sim_bridge',
+    'lwr_fri_driver',
 )  # fmt: skip
 
 _DISTRIBUTIONS = {'yaml': 'PyYAML'}

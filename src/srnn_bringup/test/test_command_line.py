@@ -3,7 +3,7 @@ import pytest
 
 from srnn_access import key_file
 from srnn_bringup import cli
-from srnn_bringup.graph import NAMES, access
+from srnn_bringup.graph import access
 from srnn_bringup.report import Outputs
 
 
@@ -33,11 +33,13 @@ from srnn_bringup.report import Outputs
         ('demo --json /nowhere/demo.json', "no directory '/nowhere'"),
         ('demo --json /', 'is a directory'),
         ('demo --picture demo.txt', '.png, .pdf, .svg'),
-        ('demo --arm fri', "'sim'"),
+        ('demo --arm mock', "choose from 'sim', 'fri'"),
+        ('up --arm frii', "choose from 'sim', 'fri', 'mock'"),
+        ('up --emulator', "arm 'sim' has no controller to emulate; it is for 'fri'"),
         ('demo now', "unknown argument 'now'"),
         ('up --segments 3', "unknown argument '--segments'"),
         ('up --only planer', "did you mean 'planner'?"),
-        ('up --only planner,', "unknown node ''; nodes: sim_bridge, tracker, adapter, planner"),
+        ('up --only planner,', "unknown node ''; nodes: sim_bridge, mock_arm, "),
         ('up --peer 300.1.2.3', 'must be an IPv4 or IPv6 address, or the name of a host'),
         ('pause --peer 127.0.0.1', 'is this host itself'),
         ('resume --only planner', "unknown argument '--only'"),
@@ -124,7 +126,7 @@ def test_a_part_of_the_graph_starts_in_the_usual_order(monkeypatch):
     calls = []
     monkeypatch.setattr('srnn_bringup.up.run_up', lambda *arguments: calls.append(arguments) or 0)
     assert cli.main(['up']) == cli.main(['up', '--only', 'planner, tracker']) == 0
-    assert [call[1:] for call in calls] == [(NAMES, []), (('tracker', 'planner'), [])]
+    assert [call[1:] for call in calls] == [((), []), (('tracker', 'planner'), [])]
 
 
 def test_exit_code_of_the_command_is_handed_on(monkeypatch):

@@ -12,7 +12,6 @@ from srnn_config import build, to_mapping
 from srnn_msgs_py.topics import NODES
 from srnn_node.lifecycle import WorkspaceNode
 
-
 GRAPHS = {
     'sim': Choices(seed=5),
     'mock': Choices(seed=5, arm='mock'),

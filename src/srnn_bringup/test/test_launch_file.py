@@ -11,7 +11,7 @@ import yaml
 
 from srnn_access import key_file
 from srnn_bringup.config import Choices, load
-from srnn_bringup.graph import NAMES, describe
+from srnn_bringup.graph import describe
 
 FILE = Path(__file__).parents[1] / 'launch' / 'srnn.launch.py'
 
@@ -48,25 +48,25 @@ def launch_file(monkeypatch, tmp_path):
 def test_arguments_have_defaults_and_choices(launch_file):
     (entities,) = launch_file['generate_launch_description']().positional
     arguments = {entity.positional[0]: entity.named for entity in entities if entity.positional}
-    assert set(arguments) == {'arm', 'scene', 'signal', 'seed', 'key', 'only'}
-    assert arguments['arm']['choices'] == ['sim']
+    assert set(arguments) == {'arm', 'emulator', 'scene', 'signal', 'seed', 'key', 'only'}
+    assert arguments['arm']['choices'] == ['sim', 'fri', 'mock']
     assert arguments['scene']['default_value'] == 'four_waypoints'
 
 
 @pytest.mark.parametrize('keyed', [True, False])
-@pytest.mark.parametrize('only', [NAMES, ('tracker', 'planner')])
+@pytest.mark.parametrize('only', [(), ('tracker', 'planner')])
 def test_launched_nodes_are_those_of_the_graph(launch_file, tmp_path, keyed, only):
     key = str(tmp_path / 'graph.key') if keyed else ''
     if keyed:
         key_file.create(Path(key))
     context = {
         'arm': 'sim', 'scene': 'four_waypoints', 'signal': 'global', 'seed': '3', 'key': key,
-        'only': ','.join(reversed(only)),
+        'only': ','.join(reversed(only)), 'emulator': 'false',
     }  # fmt: skip
     launched = launch_file['launch_nodes'](context)
     directory = Path(launched[0].named['parameters'][0]).parent
     whole = describe(load(Choices(signal='global', seed=3)), directory)
-    expected = [node for node in whole if node.name in only]
+    expected = [node for node in whole if not only or node.name in only]
     assert [
         (n.named['name'], n.named['package'], n.named['executable']) for n in launched
     ] == [(n.name, n.package, n.executable) for n in expected]
@@ -78,3 +78,15 @@ def test_launched_nodes_are_those_of_the_graph(launch_file, tmp_path, keyed, onl
         assert content['ros__parameters'] == {
             **description.parameters, 'autostart': True, 'key_file': key,
         }
+
+
+@pytest.mark.parametrize(('emulator', 'names'), [
+    ('true', ['fri_emulator', 'fri_driver', 'tracker', 'adapter', 'planner']),
+    ('false', ['fri_driver', 'tracker', 'adapter', 'planner']),
+])  # fmt: skip
+def test_the_real_arm_is_launched_with_or_without_its_controller(launch_file, emulator, names):
+    context = {
+        'arm': 'fri', 'emulator': emulator, 'scene': 'disc', 'signal': '', 'seed': '0',
+        'key': '', 'only': '',
+    }  # fmt: skip
+    assert [node.named['name'] for node in launch_file['launch_nodes'](context)] == names

@@ -43,6 +43,11 @@ class LinkParameters(Parameters):
         doc='The KRL program must have started or stopped command mode within this.',
     )
 
+    def check(self) -> None:
+        """Refuse a cycle that friOpen cannot be asked for."""
+        if abs(1e3 * self.cycle - round(1e3 * self.cycle)) > 1e-9:
+            raise self.refuse('cycle', self.cycle, 'a whole number of milliseconds')
+
 
 @dataclass(frozen=True)
 class ControlParameters(Parameters):
