@@ -70,7 +70,7 @@ class DriverNode(WorkspaceNode):
         self._kinematics = Kinematics(parameters.mount)
         self._client = LoopClient(LoopParameters(parameters.mount, parameters.fri))
         self._samples = 0
-        self._due = time.monotonic()
+        self._look_at = time.monotonic()
         self._told = ''
         self._measured = self.advertise('joint_states')
         self._external = self.advertise('external_torque/joint_states')
@@ -103,8 +103,8 @@ class DriverNode(WorkspaceNode):
         self._client.close()
 
     def seconds_to_tick(self) -> float | None:
-        """Return the time until the next measurement is due [s]."""
-        return max(self._due - time.monotonic(), PATIENCE)
+        """Return the time until the next look for a measurement [s]."""
+        return self._look_at - time.monotonic()
 
     def on_tick(self) -> None:
         """Publish the newest measurement.
@@ -117,8 +117,10 @@ class DriverNode(WorkspaceNode):
             sample = self._client.take()
         except LoopError as error:
             raise NodeError(str(error)) from error
+        overdue = sample is None and self._client.status.phase is Phase.COMMANDING
+        pause = PATIENCE if overdue else self._settings.link.cycle - PATIENCE
+        self._look_at = time.monotonic() + pause
         if sample is not None:
-            self._due = time.monotonic() + self._settings.link.cycle - PATIENCE
             self._publish(sample)
 
     def health(self) -> Health:

@@ -72,6 +72,7 @@ class UdpLoop:
         self._told: Phase | None = None
         self._orphaned_at: float | None = None
         self._farewell = FAREWELL
+        self._silent = True
 
     @property
     def finished(self) -> bool:
@@ -79,8 +80,7 @@ class UdpLoop:
         if self._orphaned_at is None:
             return False
         late = time.monotonic() - self._orphaned_at > LAST_S
-        silent = self._connection.phase is Phase.SILENT
-        return late or silent or self._farewell <= 0
+        return late or self._silent or self._farewell <= 0
 
     def turn(self) -> None:
         """Wait for packets and wishes, no longer than it takes to notice a silence."""
@@ -90,7 +90,8 @@ class UdpLoop:
         if self._udp.fileno() in ready:
             self._hear_controller()
         now = time.monotonic()
-        if self._connection.silence(now):
+        self._silent = self._connection.silence(now)
+        if self._silent:
             self._peer.forget()
         self._tell(now)
 

@@ -40,7 +40,7 @@ class FriFile(Parameters):
     """The arm over FRI: how its controller is talked to (fri), followed, and emulated."""
 
     lead: float = parameter(
-        0.02, unit='s', minimum=0.0, maximum=0.1,
+        0.028, unit='s', minimum=0.0, maximum=0.1,
         doc='Time by which commands run ahead of where the measured tip should be, in place of '
         'tracking.law.lead.',
     )
