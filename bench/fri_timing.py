@@ -35,7 +35,22 @@ from srnn_node.realtime import VARIABLE, prefer_thread
 PEER_PRIORITY = 70
 """The controller must not be what is late."""
 
+HELD_UP = 0.1
+"""A peer that is later than this share of a cycle counts its cycles from then on."""
+
 PERCENTILES = (50.0, 99.0, 99.9, 100.0)
+ECHO = """
+import os, socket
+os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(60))
+echo = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+echo.bind(('127.0.0.1', 0))
+print(echo.getsockname()[1], flush=True)
+while True:
+    data, peer = echo.recvfrom(2048)
+    echo.sendto(bytes(2) + data[:2] + bytes(372), peer)
+"""
+"""What the machine can do: an answer without a thought."""
+
 PROMISE = 0.999
 PROMISED_MS = (5.0, 10.0)
 REFLECTED = struct.Struct('<2xH')
@@ -68,6 +83,9 @@ def delays(port: int, cycle: float, seconds: float) -> NDArray[np.float64]:
         for n, packet in enumerate(packets):
             due += cycle
             time.sleep(max(due - time.monotonic(), 0.0))
+            if time.monotonic() - due > HELD_UP * cycle:
+                # No controller sends two packets at once because it was held up itself.
+                due = time.monotonic()
             _collect(peer, n, answered)
             sent[n] = 1e-9 * time.time_ns()
             peer.send(packet)
@@ -118,6 +136,18 @@ def measure(cycle: float, priority: bool, busy: bool, seconds: float) -> NDArray
         client.close()
 
 
+def measure_echo(cycle: float, seconds: float) -> NDArray[np.float64]:
+    """Return delays of the least that a Python process can do, with real-time priority."""
+    with subprocess.Popen([sys.executable, '-c', ECHO], stdout=subprocess.PIPE) as echo:
+        assert echo.stdout is not None
+        try:
+            port = int(echo.stdout.readline())
+            with at_priority(PEER_PRIORITY):
+                return delays(port, cycle, seconds)
+        finally:
+            echo.kill()
+
+
 @contextmanager
 def at_priority(priority: int) -> Iterator[None]:
     """Have a real-time priority for a while; what was started before has none."""
@@ -146,28 +176,33 @@ def main() -> int:
         f'`bench/fri_timing.py --seconds {choice.seconds:g}`, {os.cpu_count()} processors, the '
         f'peer with SCHED_FIFO {PEER_PRIORITY}.',
         'Delays from the packet of the peer to the answer in its socket, on the loopback [ms].',
-        '"Busy" is one endless loop per processor beside it.',
+        '"Busy" is one endless loop per processor beside it; "echo" is a process with SCHED_FIFO',
+        'that answers without a thought: what the machine can do. No answer at all counts as the',
+        'whole time.',
         '',
         f'| cycle | priority | machine | answers in time | {names} |',
         f'|---|---|---|---|{"---|" * len(PERCENTILES)}',
     ]
     kept = True
+
+    def tell(cycle_ms: float, what: str, found: NDArray[np.float64]) -> float:
+        share = float((found < 1e-3 * cycle_ms).mean())
+        finite = np.where(np.isfinite(found), found, choice.seconds)
+        times = ' | '.join(f'{1e3 * value:.2f}' for value in np.percentile(finite, PERCENTILES))
+        lines.append(f'| {cycle_ms:g} ms | {what} | {share:.3%} | {times} |')
+        print(lines[-1], flush=True)
+        return share
+
     for busy in (False, True):
         for priority in (True, False):
             for cycle_ms in choice.cycles:
                 found = measure(1e-3 * cycle_ms, priority, busy, choice.seconds)
-                share = float((found < 1e-3 * cycle_ms).mean())
-                finite = np.where(np.isfinite(found), found, choice.seconds)
-                times = ' | '.join(
-                    f'{1e3 * value:.2f}' for value in np.percentile(finite, PERCENTILES)
-                )
-                lines.append(
-                    f'| {cycle_ms:g} ms | {"SCHED_FIFO" if priority else "none"} | '
-                    f'{"busy" if busy else "quiet"} | {share:.3%} | {times} |'
-                )
-                print(lines[-1], flush=True)
+                what = f'{"SCHED_FIFO" if priority else "none"} | {"busy" if busy else "quiet"}'
+                share = tell(cycle_ms, what, found)
                 if priority and not busy and cycle_ms in PROMISED_MS:
                     kept &= share >= PROMISE
+    for cycle_ms in choice.cycles:
+        tell(cycle_ms, 'echo | quiet', measure_echo(1e-3 * cycle_ms, choice.seconds))
     text = '\n'.join(lines) + '\n'
     if choice.out:
         choice.out.write_text(text, encoding='utf-8')

@@ -6,21 +6,22 @@ from fnmatch import fnmatchcase
 from functools import partial
 
 import pytest
+from watched_graph import over
 
 from srnn_bringup.access import COMMAND, access
+from srnn_bringup.arms import ARMS
 from srnn_bringup.config import Choices, load
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.observer import Observer
 from srnn_bringup.recorder import start_recording
-from srnn_msgs_py.topics import NODES
 from srnn_node.signals import StopRequest
 
 PATIENCE_S = 15.0
 
 
-@pytest.fixture(scope='module')
-def graph() -> Iterator[LiveGraph]:
-    configuration = load(Choices())
+@pytest.fixture(scope='module', params=ARMS)
+def graph(request: pytest.FixtureRequest) -> Iterator[LiveGraph]:
+    configuration = over(request.param, load(Choices()))
     with StopRequest() as stop, LiveGraph(configuration, stop, print) as graph:
         observer = Observer(graph.node, start_recording(configuration))
         graph.configure()
@@ -51,9 +52,8 @@ def forbidden(used: set[str], patterns: tuple[str, ...]) -> list[str]:
     return [name for name in used if not any(fnmatchcase(name, p) for p in patterns)]
 
 
-@pytest.mark.parametrize('node', NODES)
-def test_a_node_may_do_what_it_does_and_does_what_it_may(graph, node):
-    for used, patterns in uses(graph, node):
+def test_nodes_may_do_what_they_do_and_do_what_they_may(graph):
+    for used, patterns in (use for name in graph.names for use in uses(graph, name)):
         settled = partial(lambda used, patterns: not unused(patterns, used()), used, patterns)
         graph.pump.unguarded().until(settled, PATIENCE_S)
         assert unused(patterns, used()) == []

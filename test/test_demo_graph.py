@@ -6,86 +6,14 @@ import json
 import os
 from pathlib import Path
 import signal
-import subprocess
-import sys
-import threading
-import time
 
 import pytest
+from srnn_process import RUN_S, SCENE, START_S, STOP_S, Srnn, nothing_left
 
-from srnn_msgs_py.topics import NODES
 from srnn_planner.core import weights_file
 
-START_S = 120.0
-"""The first start on a machine compiles the kernels."""
-
-RUN_S = 90.0
-STOP_S = 30.0
 MODULES = ('bridge_node', 'tracker_node', 'adapter_node', 'planner_node')
-
-SCENE = """
-name: wall
-waypoints: [[-0.03, 0.0], [0.15, -0.15]]
-blocked: 1
-obstacles:
-  - {shape: box, center: [0.05, -0.06], size: [0.04, 0.12], yaw: 0.7}
-"""
-
-
-class Srnn:
-    """A running `srnn` command: what it prints, and the processes below it."""
-
-    def __init__(self, folder: Path, *arguments: str) -> None:
-        self.lines: list[str] = []
-        self.process = subprocess.Popen(
-            [sys.executable, '-m', 'srnn_bringup.cli', *arguments],
-            cwd=folder,
-            env={**os.environ, 'TMPDIR': str(folder)},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-        self.pids: dict[str, int] = {}
-        self._reader = threading.Thread(target=self._read)
-        self._reader.start()
-
-    @property
-    def text(self) -> str:
-        return '\n'.join(self.lines)
-
-    def wait_for(self, words: str, seconds: float = START_S) -> None:
-        end = time.monotonic() + seconds
-        while words not in self.text:
-            assert self.process.poll() is None, self.text
-            assert time.monotonic() < end, self.text
-            time.sleep(0.05)
-        self.pids = self._children()
-
-    def wait(self, seconds: float) -> int:
-        code = self.process.wait(seconds)
-        self._reader.join(seconds)
-        return code
-
-    def close(self) -> None:
-        if self.process.poll() is None:
-            self.process.terminate()
-        try:
-            self.wait(STOP_S)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.wait(STOP_S)
-
-    def _read(self) -> None:
-        for line in self.process.stdout:
-            self.lines.append(line.rstrip())
-
-    def _children(self) -> dict[str, int]:
-        listing = Path(f'/proc/{self.process.pid}/task/{self.process.pid}/children').read_text()
-        children = {}
-        for pid in map(int, listing.split()):
-            command = Path(f'/proc/{pid}/cmdline').read_text()
-            children.update({name: pid for name in MODULES if name in command})
-        return children
+NODES = {'sim_bridge', 'tracker', 'adapter', 'planner'}
 
 
 @pytest.fixture
@@ -102,12 +30,6 @@ def start(tmp_path: Path) -> Iterator:
         srnn.close()
 
 
-def nothing_left(srnn: Srnn, folder: Path) -> bool:
-    """Tell whether all processes and the private files of a command are gone."""
-    processes = [pid for pid in srnn.pids.values() if Path(f'/proc/{pid}').exists()]
-    return not processes and not list(folder.glob('srnn_*'))
-
-
 def test_demo_runs_learns_and_reports(start, tmp_path):
     srnn = start(
         'demo', '--scene', 'wall.yaml', '--segments', '14', '--seed', '2',
@@ -122,7 +44,7 @@ def test_demo_runs_learns_and_reports(start, tmp_path):
     assert (report['scene'], report['signal'], report['seed']) == ('wall', 'local', 2)
     (trial,) = report['trials']
     assert trial['segments_executed'] == 14
-    assert set(trial['nodes']) == set(NODES)
+    assert set(trial['nodes']) == NODES
     assert trial['contacts'] == len(trial['contact_segments']) >= 1, srnn.text
     assert 1 <= trial['updates_triggered'] <= 14
     assert trial['contact_force_peak_n'] > 1.0

@@ -63,7 +63,7 @@ def test_unconfigured_and_inactive_nodes_publish_nothing_but_their_health():
             message_type(row.type_name), row.name,
             lambda msg: nodes.update((s.name.strip('/'), s.message) for s in msg.status), every,
         )  # fmt: skip
-        unconfigured = {(name, 'unconfigured') for name in NAMES}
+        unconfigured = {(name, 'unconfigured') for name in graph.names}
         assert graph.pump.until(lambda: nodes >= unconfigured, PATIENCE_S), nodes
         graph.pump.until(lambda: False, LISTEN_S)
         assert set(heard) == {'/diagnostics'}
@@ -84,7 +84,7 @@ def test_unconfigured_and_inactive_nodes_publish_nothing_but_their_health():
             graph.pump.until(lambda: False, 0.1)
         assert graph.pump.until(answer.done, PATIENCE_S)
         graph.pump.until(lambda: False, LISTEN_S)
-        assert nodes >= {(name, 'inactive') for name in NAMES}
+        assert nodes >= {(name, 'inactive') for name in graph.names}
         del heard['/diagnostics']
         assert heard == Counter(dict.fromkeys(senders, 3))
 

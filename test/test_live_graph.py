@@ -9,15 +9,16 @@ import numpy as np
 import pytest
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 from std_srvs.srv import Trigger
-from watched_graph import PATIENCE_S, Watched, free_scene, watched_graph
+from watched_graph import PATIENCE_S, Watched, free_scene, over, watched_graph
 
+from srnn_bringup.arms import ARMS
 from srnn_bringup.restarts import Restarts
 from srnn_msgs_py.health import HealthLevel
 from srnn_msgs_py.result import ResultCode
 from srnn_msgs_py.ros import diagnostics, weights
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
-from srnn_msgs_py.topics import NODES, TOPICS, markdown_table, topic
+from srnn_msgs_py.topics import TOPICS, markdown_table, topic
 from srnn_msgs_py.weights import WeightsUpdate
 
 ROOT = Path(__file__).parents[1]
@@ -29,22 +30,28 @@ def watched(tmp_path: Path) -> Iterator[Watched]:
         yield value
 
 
-def ends(infos) -> set[str]:
-    return {info.node_name for info in infos if info.node_name in NODES}
-
-
-def test_graph_is_the_table_of_the_readme(watched):
+@pytest.mark.parametrize('arm', ARMS)
+def test_graph_is_the_table_of_the_readme(tmp_path, arm):
     assert markdown_table() in (ROOT / 'README.md').read_text(encoding='utf-8')
-    node = watched.graph.node
-    watched.spin(1.0)
+    with watched_graph(over(arm, free_scene(tmp_path, velocity=0.1))) as watched:
+        watched.spin(1.0)
+        check_table(watched.graph)
+
+
+def check_table(graph):
+    node, names = graph.node, set(graph.names)
+
+    def ends(infos) -> set[str]:
+        return {info.node_name for info in infos} & names
+
     for row in TOPICS:
         name = row.name if row.name.startswith('/') else f'/{row.name}'
         publishers = node.get_publishers_info_by_topic(name)
         subscribers = node.get_subscriptions_info_by_topic(name)
-        assert ends(publishers) == set(row.publishers) & set(NODES), name
-        assert ends(subscribers) == set(row.subscribers) & set(NODES), name
+        assert ends(publishers) == set(row.publishers) & names, name
+        assert ends(subscribers) == set(row.subscribers) & names, name
         for info in (*publishers, *subscribers):
-            if info.node_name not in NODES:
+            if info.node_name not in names:
                 continue
             reliable = info.qos_profile.reliability == ReliabilityPolicy.RELIABLE
             latched = info.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
@@ -131,7 +138,7 @@ def test_a_dead_node_is_started_anew_and_reported(watched, name):
 
 
 def test_dead_weights_are_left_reported_and_outlived(watched):
-    heard, health = [], {f'/{name}': [] for name in NODES}
+    heard, health = [], {f'/{name}': [] for name in watched.graph.names}
     watched.listen('weights', weights.from_msg, heard.append)
     watched.listen('/diagnostics', diagnostics.from_msg, lambda told: [
         health[name].append(value) for name, value in told.items()

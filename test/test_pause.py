@@ -13,7 +13,7 @@ from std_srvs.srv import Trigger
 from watched_graph import Watched, free_scene, watched_graph
 
 from srnn_bringup.config import Configuration
-from srnn_bringup.graph import NAMES, describe, write_parameters
+from srnn_bringup.graph import describe, write_parameters
 from srnn_bringup.live_graph import command
 from srnn_bringup.restarts import Restarts
 from srnn_bringup.supervisor import Supervisor
@@ -93,7 +93,7 @@ def test_a_paused_arm_stands_still_and_a_resumed_one_goes_on(watched):
     began = watched.now()
     assert srnn(watched, 'resume') == ['sim_bridge is active already', *resumed]
     watched.first_executed(began)
-    assert srnn(watched, 'resume') == [f'{name} is active already' for name in NAMES]
+    assert srnn(watched, 'resume') == [f'{name} is active already' for name in watched.graph.names]
 
 
 def test_a_node_that_dies_in_a_pause_is_started_anew_and_stays_paused(watched):

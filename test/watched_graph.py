@@ -14,7 +14,7 @@ import numpy as np
 from rclpy.node import Node
 import yaml
 
-from srnn_bringup.config import Choices, Configuration, load
+from srnn_bringup.config import FRI, Choices, Configuration, load
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.restarts import Restarts
 from srnn_msgs_py.dissonance import Dissonance
@@ -154,6 +154,11 @@ def watched_graph(
     left = [pid for pid in watched.pids if Path(f'/proc/{pid}').exists()]
     assert not left, f'processes {left} are left'
     assert not _running(folder)
+
+
+def over(arm: str, configuration: Configuration) -> Configuration:
+    """Return a configuration with another arm; that of FRI has its controller emulated."""
+    return replace(configuration, robot=arm, emulated=arm == FRI)
 
 
 def free_scene(folder: Path, velocity: float) -> Configuration:

@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 from enum import Enum
 import json
+import math
 import struct
 from typing import Any
 
@@ -139,6 +140,9 @@ def _of_controller(connection: Connection) -> dict[str, Any]:
     )
     return {
         'time_s': interface.timestamp,
+        'joints_deg': ' '.join(
+            f'{math.degrees(angle):.1f}' for angle in measurement.data.joint_position
+        ),
         'fri_state': interface.state.name,
         'quality': interface.quality.name,
         'measurement_period_ms': 1e3 * interface.measurement_period,
