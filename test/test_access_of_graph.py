@@ -9,7 +9,7 @@ import pytest
 from watched_graph import over
 
 from srnn_bringup.access import COMMAND, access
-from srnn_bringup.arms import ARMS
+from srnn_bringup.arms import ARMS, MOCK
 from srnn_bringup.config import Choices, load
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.observer import Observer
@@ -25,7 +25,8 @@ def graph(request: pytest.FixtureRequest) -> Iterator[LiveGraph]:
     with StopRequest() as stop, LiveGraph(configuration, stop, print) as graph:
         observer = Observer(graph.node, start_recording(configuration))
         graph.configure()
-        assert graph.pump.until(observer.connected, PATIENCE_S)
+        # The mock arm knows of no contacts, so that one topic has no publisher.
+        assert request.param == MOCK or graph.pump.until(observer.connected, PATIENCE_S)
         yield graph
 
 
