@@ -125,7 +125,8 @@ class FriWorld:
 
     def _cycle(self):
         if not self.silent:
-            self._up.take(self.controller.measure(self.now), self.now)
+            self._up.take(self.controller.measure(), self.now)
+            self.controller.sent(self.now)
         for _ in range(self.cycle):
             self.now += 0.001
             self._exchange()

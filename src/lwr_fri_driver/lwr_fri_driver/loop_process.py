@@ -11,11 +11,9 @@ import sys
 
 from lwr_description import Kinematics, Mount
 from lwr_fri_driver.core.connection import Connection
-from lwr_fri_driver.core.datagram import Head
-from lwr_fri_driver.core.measurement import LAYOUT, Measurement
 from lwr_fri_driver.core.parameters import DriverParameters
-from lwr_fri_driver.core.reports import MAX_SIZE, status_of
-from lwr_fri_driver.core.words import MEASUREMENT_ID, MEASUREMENT_SIZE
+from lwr_fri_driver.core.rehearsal import rehearse
+from lwr_fri_driver.core.reports import MAX_SIZE
 from lwr_fri_driver.udp_loop import UdpLoop
 from srnn_config import Parameters, build
 from srnn_node.realtime import request_realtime
@@ -32,15 +30,6 @@ class LoopParameters(Parameters):
     driver: DriverParameters = field(default_factory=DriverParameters)
 
 
-def _warm_up(connection: Connection) -> None:
-    """Go the way of a packet, so that the first real one is not late."""
-    for sequence in range(3):
-        head = Head(sequence, 0, MEASUREMENT_SIZE, MEASUREMENT_ID)
-        connection.answer(LAYOUT.pack(Measurement(head=head)), 0.0)
-        connection.link.answered(0.0)
-    status_of(connection).pack()
-
-
 def main(args: Sequence[str] | None = None) -> int:
     """Answer the controller until the node is gone and the arm is out of command mode.
 
@@ -55,7 +44,7 @@ def main(args: Sequence[str] | None = None) -> int:
     udp, node = socket.socket(fileno=udp_fd), socket.socket(fileno=node_fd)
     parameters = build(LoopParameters, json.loads(node.recv(MAX_SIZE)), 'the first message')
     gravity = Kinematics(parameters.mount).gravity
-    _warm_up(Connection(parameters.driver, gravity))
+    rehearse(parameters.driver, gravity)
     connection = Connection(parameters.driver, gravity)
     scheduling = request_realtime(PRIORITY)
     loop = UdpLoop(udp, node, connection, parameters.driver, scheduling.words)

@@ -46,7 +46,8 @@ class Peer:
 
     def cycle(self, answer=True, latency=0.001, **fields):
         """Mirror, or say what `fields` say."""
-        self.heard = self.controller.measure(self.now)
+        self.heard = self.controller.measure()
+        self.controller.sent(self.now)
         mirrored = floats(self.heard, 292, 7) + floats(self.heard, 320, 7)
         if answer:
             said = {'position': mirrored, **self.fields, **fields}
@@ -171,7 +172,7 @@ def test_too_many_misses_end_command_mode_where_the_arm_is(peer):
 def test_an_answer_to_an_older_packet_is_a_miss(peer):
     peer.cycles(30)
     old = command(0, int.from_bytes(peer.heard[:2], 'little'), **peer.fields)
-    peer.controller.measure(peer.now)
+    peer.controller.measure()
     peer.controller.receive(old, peer.now)
     misses = peer.controller.statistics.misses
     peer.controller.advance()

@@ -12,7 +12,7 @@ SERVICES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         'sim_bridge': ('reset', 'set_obstacle_*'),
         'mock_arm': (),
         'fri_driver': ('reset',),
-        'fri_emulator': ('set_obstacle_*',),
+        'fri_emulator': ('acknowledge', 'set_obstacle_*'),
     }
 )
 """Private names by node; ``*`` stands for the number of an obstacle."""

@@ -26,21 +26,27 @@ class Chain:
         """Take the distance from the flange to the tool centre point [m]."""
         self._tool_length = tool_length
 
-    def pose(self, q: ArrayLike) -> Array:
-        """Return [R | p] of the tool in the base, (3, 4), p in m, for angles (7,) [rad]."""
-        return self.pose_and_jacobian(q)[0]
+    def poses_and_jacobians(self, q: ArrayLike) -> tuple[Array, Array]:
+        """Return poses and Jacobians of the tool in the base for n postures.
 
-    def pose_and_jacobian(self, q: ArrayLike) -> tuple[Array, Array]:
-        """Return `pose` and (6, 7): rows X, Y, Z [m/rad], then RX, RY, RZ, in the base."""
-        angles = np.asarray(q, dtype=float)[:, None, None]
+        Args:
+            q: (n, 7) joint angles [rad].
+
+        Returns:
+            (n, 3, 4) [R | p], p in m, and (n, 6, 7): rows X, Y, Z [m/rad], then RX, RY, RZ.
+
+        """
+        angles = np.asarray(q, dtype=float)[:, :, None, None]
         # Rodrigues' formula, for each joint about its own axis.
         turns = np.eye(3) + np.sin(angles) * _CROSS + (1.0 - np.cos(angles)) * _CROSS_TWICE
-        rotation, position = np.eye(3), np.zeros(3)
-        places, axes = np.empty((2, 7, 3))
+        count = len(angles)
+        rotation, position = np.broadcast_to(np.eye(3), (count, 3, 3)), np.zeros((count, 3))
+        places, axes = np.empty((2, count, 7, 3))
         for joint, offset in enumerate(_OFFSETS):
-            position = position + offset * rotation[:, 2]
-            places[joint], axes[joint] = position, rotation @ _AXES[joint]
-            rotation = rotation @ turns[joint]
-        tool = position + self._tool_length * rotation[:, 2]
-        pose = np.column_stack((rotation, tool))
-        return pose, np.vstack((np.cross(axes, tool - places).T, axes.T))
+            position = position + offset * rotation[:, :, 2]
+            places[:, joint], axes[:, joint] = position, rotation @ _AXES[joint]
+            rotation = rotation @ turns[:, joint]
+        tool = position + self._tool_length * rotation[:, :, 2]
+        poses = np.concatenate((rotation, tool[:, :, None]), axis=2)
+        linear = np.cross(axes, tool[:, None] - places)
+        return poses, np.concatenate((linear, axes), axis=2).swapaxes(1, 2)

@@ -33,7 +33,7 @@ _TOOL_WRENCH = [0, 1, 2, 5, 4, 3]
 
 
 class FriController:
-    """A stand-in for the KRC2lr: `measure`, then `receive` what is answered, then `advance`.
+    """A stand-in for the KRC2lr: `measure` and `sent`, `receive` what is answered, `advance`.
 
     It keeps no clock; every cycle is as long as it was set. What KUKA has not published is
     a choice, see `PatienceParameters`.
@@ -99,15 +99,18 @@ class FriController:
         """Commanded joint angles (7,) [rad]."""
         return self._path.target
 
-    def measure(self, now: float) -> bytes:
-        """Begin a cycle: return the measurement that goes out at `now` [s], any clock."""
+    def measure(self) -> bytes:
+        """Begin a cycle: return the measurement that goes out now."""
         self._sequence = (self._sequence + 1) % COUNTERS
-        self._sent_at = now
         self._answer = None
         return pack(self._sequence, self._reflected, self.tamper(self._read()))
 
+    def sent(self, now: float) -> None:
+        """Take in that the measurement went out at `now` [s] of any clock."""
+        self._sent_at = now
+
     def receive(self, data: bytes, now: float) -> None:
-        """Take in a datagram that arrived at `now` [s], by the clock of `measure`."""
+        """Take in a datagram that arrived at `now` [s], by the clock of `sent`."""
         order = unpack(data)
         if order is None:
             self.rejected += 1
@@ -206,9 +209,10 @@ class FriController:
     def _read(self) -> Reading:
         sample, statistics, path = self.arm.sample(0), self.statistics, self._path
         q, external = sample.position, sample.external_torque
-        pose, jacobian = self._chain.pose_and_jacobian(q)
+        poses, jacobians = self._chain.poses_and_jacobians([q, path.base, path.target])
+        pose, base_pose, target_pose = poses
+        jacobian = jacobians[0]
         wrench = np.linalg.lstsq(jacobian.T, external, rcond=None)[0]
-        base_pose, target_pose = self._chain.pose(path.base), self._chain.pose(path.target)
         return Reading(
             to_reals=(0.0,) * 16, to_ints=self._program.ints, to_bools=0, fill=0,
             timestamp=self.arm.time, state=self.state, quality=self.quality,

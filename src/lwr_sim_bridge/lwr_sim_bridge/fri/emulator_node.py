@@ -22,7 +22,6 @@ from srnn_config.scene import load_scene
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_node.errors import NodeError
 from srnn_node.lifecycle import WorkspaceNode
-from srnn_node.rate import RateKeeper
 from srnn_node.run import run
 
 PRIORITY = 70
@@ -30,8 +29,12 @@ PRIORITY = 70
 
 QUALITIES = ('UNACCEPTABLE', 'BAD', 'OK', 'PERFECT')
 
-CATCH_UP = 3
-"""Cycles that are made up for after a delay; longer gaps slow the arm's time down."""
+WORK = 0.2
+"""Share of a cycle in which the packet must go out; a later one moves all that follow.
+
+The arm's time slows down instead. A controller that hurried to make up for its own delay would
+leave its peer no time for an answer.
+"""
 
 TRUTH_S = 0.02
 """The true contact force goes out this often [s]."""
@@ -89,7 +92,8 @@ class EmulatorNode(WorkspaceNode):
 
     def activate(self) -> None:
         """Let time run from now on."""
-        self._rate = RateKeeper(self._period, time.monotonic(), CATCH_UP)
+        self._due = time.monotonic()
+        self._overruns = 0
 
     def cleanup(self) -> None:
         """Close the socket."""
@@ -97,8 +101,7 @@ class EmulatorNode(WorkspaceNode):
 
     def seconds_to_tick(self) -> float | None:
         """Return the time until the next cycle is due, or a late packet [s]."""
-        now = time.monotonic()
-        return min(self._rate.seconds_to_tick(now), max(self._link.next - now, 0.0))
+        return min(self._due, self._link.next) - time.monotonic()
 
     def on_tick(self) -> None:
         """End a cycle and begin the next one.
@@ -108,18 +111,27 @@ class EmulatorNode(WorkspaceNode):
 
         """
         self._link.flush()
-        if not self._rate.take(time.monotonic()):
+        late = time.monotonic() - self._due
+        if late < 0.0:
             return
+        self._overruns += late > self._period
         for data, arrival in self._link.receive():
             self._controller.receive(data, arrival)
         try:
             self._controller.advance()
         except SimulationError as error:
             raise NodeError(str(error)) from error
-        self._link.send(self._controller.measure(time.monotonic()))
+        self._send(self._controller.measure())
         self._cycles += 1
         if self._cycles % self._cycles_per_truth == 0:
             self._topics.report(self.get_clock().now().nanoseconds)
+
+    def _send(self, packet: bytes) -> None:
+        now = time.monotonic()
+        self._link.send(packet)
+        self._controller.sent(now)
+        late = now - self._due - WORK * self._period
+        self._due += self._period + (late if late > 0.0 else 0.0)
 
     def health(self) -> Health:
         """Report the state of the controller, and what it thinks of the link."""
@@ -130,9 +142,8 @@ class EmulatorNode(WorkspaceNode):
         values = {
             'state': 'COMMAND' if commanding else 'MONITOR',
             'quality': QUALITIES[controller.quality],
-            'cycles': self._rate.taken,
-            'overruns': self._rate.overruns,
-            'skipped': self._rate.skipped,
+            'cycles': self._cycles,
+            'overruns': self._overruns,
             'answer_rate': statistics.answer_rate,
             'latency_ms': 1e3 * statistics.latency,
             'misses': statistics.misses,
