@@ -192,6 +192,8 @@ class LiveGraph:
         """Have a dead node started anew, or give up."""
         if self._restarts is None or len(self._active) < len(self.names):
             raise NodeDiedError(death.report())
+        if death.code >= 0:
+            self._states.ended_itself(death.name)
         if not self._restarts.waits(death.name):
             pause = self._restarts.died(death.name, time.monotonic())
             self._say(f'{death.report()}\nstarting {death.name} anew in {pause:g} s')
