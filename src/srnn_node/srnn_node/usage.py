@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What ``--help`` prints for a node."""
 
+from srnn_config import ParameterSpec
 from srnn_node.access import MEANING, PARAMETER
 from srnn_node.lifecycle import STARTING, WorkspaceNode
 from srnn_node.parameters import leaves
@@ -18,6 +19,13 @@ def usage(node_class: type[WorkspaceNode]) -> str:
         f'  {PARAMETER}: {MEANING}',
     ]
     for leaf in leaves(node_class.PARAMETERS):
-        unit = f' [{leaf.spec.unit}]' if leaf.spec.unit else ''
-        lines.append(f'  {leaf.name}: {leaf.spec.doc} ({leaf.spec.bounds()}{unit})')
+        lines.append(f'  {leaf.name}: {leaf.spec.doc}{_limits(leaf.spec)}')
     return '\n'.join(lines)
+
+
+def _limits(spec: ParameterSpec) -> str:
+    """Return bounds and unit in parentheses; nothing where there is nothing to say."""
+    bounds = '' if spec.bounds() == 'finite' else spec.bounds()
+    unit = f'[{spec.unit}]' if spec.unit else ''
+    words = ' '.join(filter(None, (bounds, unit)))
+    return f' ({words})' if words else ''
