@@ -10,18 +10,18 @@ import time
 
 import numpy as np
 import pytest
-from srnn_process import SCENE, STOP_S, Srnn, nothing_left
+from srnn_process import SCENE, STOP_S
 from std_srvs.srv import Trigger
 from watched_graph import Watched, free_scene, over, watched_graph
 
 from lwr_fri_driver.core.phase import Phase
-from srnn_bringup.config import FRI
+from srnn_bringup.config import FRI, Choices, load
+from srnn_bringup.demo import Outputs, run_demo
 from srnn_bringup.restarts import Restarts
 
 pytestmark = pytest.mark.slow
 
-MODULES = {'emulator_node', 'driver_node', 'tracker_node', 'adapter_node', 'planner_node'}
-RUN_S = 120.0
+SEGMENTS = 24
 
 
 def loop_process(driver: int) -> int:
@@ -31,26 +31,16 @@ def loop_process(driver: int) -> int:
     return int(child)
 
 
-def test_the_demo_learns_within_the_bounds_of_the_simulated_arm(tmp_path):
+def test_the_demo_learns_within_the_bounds_of_the_simulated_arm(tmp_path, capsys):
     (tmp_path / 'wall.yaml').write_text(SCENE)
-    srnn = Srnn(
-        tmp_path, 'demo', '--arm', 'fri', '--scene', 'wall.yaml', '--segments', '24',
-        '--seed', '2', '--json', 'demo.json',
-    )  # fmt: skip
-    try:
-        srnn.wait_for('segment  way point')
-        assert set(srnn.pids) == MODULES
-        loop = loop_process(srnn.pids['driver_node'])
-        assert srnn.wait(RUN_S) == 0, srnn.text
-    finally:
-        srnn.close()
-    assert nothing_left(srnn, tmp_path)
-    assert not Path(f'/proc/{loop}').exists()
+    configuration = over(FRI, load(Choices(scene=str(tmp_path / 'wall.yaml'), seed=2)))
+    outputs = Outputs(picture=tmp_path / 'demo.png', json=tmp_path / 'demo.json', weights=None)
+    assert run_demo(configuration, SEGMENTS, outputs) == 0, capsys.readouterr().out
     (trial,) = json.loads((tmp_path / 'demo.json').read_text())['trials']
     assert set(trial['nodes']) == {'fri_emulator', 'fri_driver', 'tracker', 'adapter', 'planner'}
     assert 1 <= trial['contacts'] <= 12
     assert 1 <= trial['updates_triggered'] <= 15
-    assert not [n for n in trial['contact_segments'] if n > 16], srnn.text
+    assert not [n for n in trial['contact_segments'] if n > 2 * SEGMENTS / 3]
     assert trial['invalid_plans'] == 0
     assert trial['tracking_rmse_m'] <= 0.002
     assert 1.0 < trial['contact_force_peak_n'] <= 60.0

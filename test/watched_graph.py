@@ -14,6 +14,7 @@ import numpy as np
 from rclpy.node import Node
 import yaml
 
+from lwr_sim_bridge.fri.parameters import PatienceParameters
 from srnn_bringup.config import FRI, Choices, Configuration, load
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.restarts import Restarts
@@ -157,8 +158,19 @@ def watched_graph(
 
 
 def over(arm: str, configuration: Configuration) -> Configuration:
-    """Return a configuration with another arm; that of FRI has its controller emulated."""
-    return replace(configuration, robot=arm, emulated=arm == FRI)
+    """Return a configuration with another arm; that of FRI has its controller emulated.
+
+    Both sides are patient: this machine may be busy, and without real-time rights.
+    """
+    fri = configuration.fri
+    driver = replace(
+        fri.fri,
+        link=replace(fri.fri.link, time_out=1.0),
+        safety=replace(fri.fri.safety, poor_cycles=100, patience=5.0),
+    )
+    patience = PatienceParameters(extrapolated=100, cap=200)
+    fri = replace(fri, fri=driver, emulator=replace(fri.emulator, patience=patience))
+    return replace(configuration, robot=arm, emulated=arm == FRI, fri=fri)
 
 
 def free_scene(folder: Path, velocity: float) -> Configuration:
