@@ -31,11 +31,11 @@ def loop_process(driver: int) -> int:
     return int(child)
 
 
-def test_the_demo_learns_within_the_bounds_of_the_simulated_arm(tmp_path, capsys):
+def test_the_demo_learns_within_the_bounds_of_the_simulated_arm(tmp_path, capfd):
     (tmp_path / 'wall.yaml').write_text(SCENE)
     configuration = over(FRI, load(Choices(scene=str(tmp_path / 'wall.yaml'), seed=2)))
     outputs = Outputs(picture=tmp_path / 'demo.png', json=tmp_path / 'demo.json', weights=None)
-    assert run_demo(configuration, SEGMENTS, outputs) == 0, capsys.readouterr().out
+    assert run_demo(configuration, SEGMENTS, outputs) == 0, capfd.readouterr().out
     (trial,) = json.loads((tmp_path / 'demo.json').read_text())['trials']
     assert set(trial['nodes']) == {'fri_emulator', 'fri_driver', 'tracker', 'adapter', 'planner'}
     assert 1 <= trial['contacts'] <= 12
