@@ -18,6 +18,7 @@ from lwr_fri_driver.core.phase import Phase
 from srnn_bringup.config import FRI, Choices, load
 from srnn_bringup.demo import Outputs, run_demo
 from srnn_bringup.restarts import Restarts
+from srnn_node.realtime import prefer_thread
 
 pytestmark = pytest.mark.slow
 
@@ -31,6 +32,17 @@ def loop_process(driver: int) -> int:
     return int(child)
 
 
+def may_hurry() -> bool:
+    """Tell whether the process that answers the controller gets the priority it asks for."""
+    granted = prefer_thread(1)
+    if granted:
+        prefer_thread(0)
+    return granted
+
+
+@pytest.mark.skipif(
+    not may_hurry(), reason='no SCHED_FIFO here: a busy machine takes the arm from its commands'
+)
 def test_the_demo_learns_within_the_bounds_of_the_simulated_arm(tmp_path, capfd):
     (tmp_path / 'wall.yaml').write_text(SCENE)
     configuration = over(FRI, load(Choices(scene=str(tmp_path / 'wall.yaml'), seed=2)))
