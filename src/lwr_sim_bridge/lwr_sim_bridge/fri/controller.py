@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import Kinematics, Mount
+from lwr_description import VELOCITY_MAX, Kinematics, Mount
 from lwr_sim_bridge.fri.answer_statistics import OK, PERFECT, AnswerStatistics
 from lwr_sim_bridge.fri.chain import Chain
 from lwr_sim_bridge.fri.commanded_path import CommandedPath
@@ -46,6 +46,7 @@ class FriController:
         error: bits of drive errors.
         warning: bits of warnings.
         message: what the operator reads, empty while all is well.
+        statistics: of the answers.
         rejected: datagrams that are no command.
         late: commands that came after their cycle.
         tamper: changes what is measured before it is sent, for tests.
@@ -75,6 +76,7 @@ class FriController:
         self.tamper: Callable[[Reading], Reading] = lambda reading: reading
         self._parameters = parameters
         self._ticks, self._period = cycle, cycle * TICK
+        self._longest_step = parameters.velocity_share * self._period * VELOCITY_MAX
         self._kinematics = Kinematics(mount)
         self._chain = Chain(mount.tool_length)
         self._program = program
@@ -183,7 +185,7 @@ class FriController:
             else:
                 self._path.bridge()
         elif objection := objection_to(
-            order, self._flags, self.target, self._parameters.velocity_share * self._period
+            order, self._flags, self.target, self._longest_step
         ):
             self.fail(objection)
         else:

@@ -4,7 +4,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import POSITION_MAX, VELOCITY_MAX
+from lwr_description import POSITION_MAX
 from lwr_sim_bridge.fri.wire import Order
 
 JOINT_POSITION, JOINT_LAW = 0x0001, 0x0030
@@ -46,7 +46,7 @@ def objection_to_start(
 
 
 def objection_to(
-    order: Order, flags: int, target: NDArray[np.float64], time: float
+    order: Order, flags: int, target: NDArray[np.float64], step: NDArray[np.float64]
 ) -> str:
     """Return why a command may not be followed in command mode, nothing if it may.
 
@@ -54,7 +54,7 @@ def objection_to(
         order: command.
         flags: of the command that command mode began with.
         target: (7,) where the last one was heading, or what stood in for it [rad].
-        time: at full speed, joints may turn this long in a cycle [s].
+        step: (7,) longest way of each joint in a cycle [rad].
 
     """
     if not order.finite:
@@ -64,7 +64,7 @@ def objection_to(
     position = np.array(order.position)
     if (np.abs(position) > POSITION_MAX + ROUNDING).any():
         return 'FRI: a joint is commanded beyond its limit'
-    if (np.abs(position - target) > VELOCITY_MAX * time * _WIDE + ROUNDING).any():
+    if (np.abs(position - target) > step * _WIDE + ROUNDING).any():
         return 'FRI interpolation error: excessive commanded joint speed'
     if flags & JOINT_LAW == JOINT_LAW and not (
         _within(order.stiffness, STIFFNESS) and _within(order.damping, DAMPING)
