@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from itertools import groupby
 
 COLUMNS = (
-    'row', 'fault', 'injections', 'survived', 'worst deviation', 'worst speed', 'worst reaction',
-    'bound',
+    'row', 'fault', 'injections', 'survived', 'worst deviation', 'worst speed', 'worst force',
+    'worst reaction', 'bound',
 )  # fmt: skip
 
 
@@ -23,6 +23,7 @@ class Injection:
         survived: nothing that the test demands was missed.
         deviation_mm: farthest that the tip went where it should not have gone [mm].
         speed: fastest that the tip moved from the fault on [m/s].
+        force: strongest that the tool pressed on something [N].
         reaction_ms: time from the fault to the reaction [ms].
 
     """
@@ -33,6 +34,7 @@ class Injection:
     survived: bool = False
     deviation_mm: float | None = None
     speed: float | None = None
+    force: float | None = None
     reaction_ms: float | None = None
 
 
@@ -79,6 +81,7 @@ class FaultLedger:
                 str(row), fault, str(len(entries)), str(sum(e.survived for e in entries)),
                 _worst([e.deviation_mm for e in entries], '{:.1f} mm'),
                 _worst([e.speed for e in entries], '{:.3f} m/s'),
+                _worst([e.force for e in entries], '{:.0f} N'),
                 _worst([e.reaction_ms for e in entries], '{:.1f} ms'),
                 _worst([e.bound_ms for e in entries], '{:g} ms'),
             )  # fmt: skip
