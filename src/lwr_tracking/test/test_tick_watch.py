@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One late tick is nothing, several in a row are an overload until it has gone for good."""
+"""One late tick is nothing; several in a row are an overload, until they have long not been."""
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -19,16 +19,23 @@ def test_the_fifth_late_tick_in_a_row_is_an_overload():
     assert watch.late == 4 * TOLERATED + 1
 
 
-def test_it_ends_after_many_ticks_in_time():
+def test_it_ends_after_many_ticks_without_five_late_in_a_row():
+    for recovery in ([IN_TIME], [LATE, IN_TIME], [IN_TIME] * 3 + [LATE] * TOLERATED):
+        watch = TickWatch(PERIOD)
+        for _ in range(TOLERATED + 1):
+            watch.tick(LATE)
+        assert watch.tick(IN_TIME)
+        ticks = (recovery * RECOVERED)[: RECOVERED - 1]
+        assert [watch.tick(elapsed) for elapsed in ticks] == [True] * (RECOVERED - 2) + [False]
+        assert not watch.tick(IN_TIME)
+
+
+def test_it_lasts_while_five_in_a_row_are_late_now_and_then():
     watch = TickWatch(PERIOD)
     for _ in range(TOLERATED + 1):
         watch.tick(LATE)
-    for _ in range(3):
-        assert all(watch.tick(IN_TIME) for _ in range(RECOVERED - 1))
-        assert watch.tick(LATE)
-    ends = [watch.tick(IN_TIME) for _ in range(RECOVERED)]
-    assert ends == [True] * (RECOVERED - 1) + [False]
-    assert not watch.tick(LATE)
+    bursts = ([IN_TIME] * (RECOVERED - TOLERATED - 1) + [LATE] * (TOLERATED + 1)) * 10
+    assert all(watch.tick(elapsed) for elapsed in bursts)
 
 
 @given(st.lists(st.booleans(), max_size=300))

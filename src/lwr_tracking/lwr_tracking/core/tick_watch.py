@@ -8,7 +8,7 @@ TOLERATED = 4
 """Late ticks in a row that are no overload."""
 
 RECOVERED = 50
-"""Ticks in time, in a row, that end an overload."""
+"""Ticks after which an overload is over if it has not begun anew; some of them may be late."""
 
 AT_REST_AFTER = 0.1
 """The arm side has come to rest after so long without a command [s] (`lwr_guard`)."""
@@ -17,27 +17,27 @@ AT_REST_AFTER = 0.1
 class TickWatch:
     """Tells an overloaded machine from one late tick.
 
+    Late ticks here and there do no harm. On a busy machine they never end, so that an arm
+    which waited for their end would rest for ever.
+
     Attributes:
         late: late ticks so far.
-        overloaded: ticks have come late again and again, and not yet in time for long.
 
     """
 
     def __init__(self, period: float) -> None:
         """Take the nominal time between two ticks [s]."""
         self.late = 0
-        self.overloaded = False
         self._longest = LATE * period
         self._run = 0
-        """Late ticks in a row if positive, ticks in time if negative."""
+        """Late ticks in a row."""
+        self._left = 0
+        """Ticks until the overload is over."""
 
     def tick(self, elapsed: float) -> bool:
         """Take in a tick `elapsed` [s] after the last; return whether there is an overload."""
-        if elapsed > self._longest:
-            self.late += 1
-            self._run = max(self._run, 0) + 1
-            self.overloaded |= self._run > TOLERATED
-        else:
-            self._run = min(self._run, 0) - 1
-            self.overloaded &= self._run > -RECOVERED
-        return self.overloaded
+        late = elapsed > self._longest
+        self.late += late
+        self._run = self._run + 1 if late else 0
+        self._left = RECOVERED if self._run > TOLERATED else max(self._left - 1, 0)
+        return self._left > 0
