@@ -16,6 +16,9 @@ STILL = 0.0005
 RECENT_NS = 3 * 10**9
 """Segments that were sent so long before may still be under way."""
 
+WAITING_NS = 5 * 10**8
+"""A segment may have waited so long for the one before it to end."""
+
 
 class Motion:
     """What the arm did since a time [ns], out of its joint states.
@@ -35,14 +38,24 @@ class Motion:
         self.stamps = np.array([stamp for stamp, _ in samples])
         self.tips = np.array([KINEMATICS.tip(position) for _, position in samples])
         self.speed = self._fastest()
+        self._heard = np.ones(len(samples), bool)
+        self._unheard = watched.unheard(since - RECENT_NS)
+        for path in self._unheard:
+            after = self.stamps - path.stamp_ns
+            self._heard &= (after < 0) | (after > 1e9 * path.times[-1] + WAITING_NS)
         self._planned = np.vstack([
             s.positions[:, :2] for s in watched.segments if s.stamp_ns >= since - RECENT_NS
         ])
 
     def off_path(self) -> float:
-        """Return how far the tip was from all that was planned meanwhile, at most [m]."""
-        farthest = 0.0
-        for part in np.array_split(self.tips[:, :2], 1 + len(self.tips) // 500):
+        """Return how far the tip was from all that was planned meanwhile, at most [m].
+
+        What was planned unheard is not known: while it was executed nothing is said.
+        """
+        # After a restart the first may be missed, and the one that waited behind it.
+        assert len(self._unheard) <= 2
+        farthest, tips = 0.0, self.tips[self._heard, :2]
+        for part in np.array_split(tips, 1 + len(tips) // 500):
             away = np.linalg.norm(part[:, None] - self._planned[None], axis=2).min(axis=1)
             farthest = max(farthest, away.max(initial=0.0))
         return float(farthest)

@@ -21,11 +21,11 @@ from srnn_bringup.restarts import Restarts
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health
 from srnn_msgs_py.result import ResultCode, SegmentResult
-from srnn_msgs_py.ros import diagnostics, dissonance, pose, result, segment, weights
+from srnn_msgs_py.ros import diagnostics, dissonance, executed, pose, result, segment, weights
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.ros.stamp import stamp_from_msg
-from srnn_msgs_py.segment import Segment
+from srnn_msgs_py.segment import ExecutedPath, Segment
 from srnn_msgs_py.topics import topic
 from srnn_node.signals import StopRequest
 
@@ -45,6 +45,7 @@ class Watched:
         self.pump = graph.pump if guarded else graph.pump.unguarded()
         self.pids = set(graph.pids.values())
         self.segments: list[Segment] = []
+        self.executed: list[ExecutedPath] = []
         self.results: list[SegmentResult] = []
         self.weights: list[tuple[int, int]] = []
         self.lessons: list[Dissonance] = []
@@ -53,6 +54,7 @@ class Watched:
         self.commands: list[int] = []
         self.health: dict[str, list[tuple[int, Health]]] = {name: [] for name in graph.names}
         self.listen('segment', segment.from_msg, self.segments.append)
+        self.listen('executed', executed.from_msg, self.executed.append)
         self.listen('segment_result', result.from_msg, self.results.append)
         self.listen('weights', _version, self.weights.append)
         self.listen('dissonance', dissonance.from_msg, self.lessons.append)
@@ -75,6 +77,14 @@ class Watched:
 
     def done(self) -> list[int]:
         return [r.stamp_ns for r in self.results if r.code is ResultCode.DONE]
+
+    def unheard(self, since: int) -> list[ExecutedPath]:
+        """Return executions of segments that this process has not heard of.
+
+        A node that was started anew may be known to the others before it is known here.
+        """
+        heard = {s.stamp_ns for s in self.segments}
+        return [e for e in self.executed if e.stamp_ns >= since and e.stamp_ns not in heard]
 
     def kill(self, name: str, number: signal.Signals = signal.SIGKILL) -> int:
         """Send a signal to a node; return when."""
