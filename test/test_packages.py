@@ -19,8 +19,8 @@ MAX_LINES = 300
 # What a package may import of the workspace: whatever stands above it, except where noted.
 ORDER = (
     'srnn_config', 'srnn_access', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard',
-    'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver', 'srnn_experiments',
-    'srnn_bringup',
+    'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver', 'srnn_bag',
+    'srnn_experiments', 'srnn_bringup',
 )  # fmt: skip
 STRANGERS = {
     'srnn_access': {'srnn_config'},
@@ -31,7 +31,8 @@ STRANGERS = {
     'lwr_fri_driver': {'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge'},
     'lwr_description': {'srnn_msgs_py', 'srnn_node'},
     'lwr_guard': {'srnn_msgs_py', 'srnn_node'},
-    'srnn_experiments': {'srnn_node', 'lwr_fri_driver'},
+    'srnn_bag': set(ORDER) - {'srnn_msgs_py'},
+    'srnn_experiments': {'srnn_node', 'lwr_fri_driver', 'srnn_bag'},
 }
 EXECUTABLES = {
     'srnn_planner': {
@@ -58,6 +59,7 @@ CORES = {
     'lwr_guard': (),
     'lwr_sim_bridge': (),
     'lwr_fri_driver.core': (),
+    'srnn_bag': (),
     'srnn_experiments': (),
 }
 LOAD = """
