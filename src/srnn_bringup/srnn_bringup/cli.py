@@ -8,6 +8,7 @@ from pathlib import Path
 import sys
 
 from srnn_access import AccessError
+from srnn_bag import BagError
 from srnn_bringup.arms import ARMS
 from srnn_bringup.command_line import WRONG_USE, Parser
 from srnn_bringup.config import FRI, SIMULATED, Choices, Configuration, load
@@ -24,6 +25,7 @@ from srnn_bringup.options import (
     add_peers,
     add_scene,
     add_seed,
+    new_bag,
     new_file,
     picture_file,
     whole,
@@ -52,7 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
     try:
         return int(options.run(options))
-    except (AccessError, BringupError, ConfigError, ExperimentError, SrnnError) as error:
+    except (AccessError, BagError, BringupError, ConfigError, ExperimentError, SrnnError) as error:
         print(f'srnn {options.command}: {error}', file=sys.stderr)
         return WRONG_USE
     except OSError as error:
@@ -79,6 +81,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('up', 'Start the graph and keep it up until Ctrl-C.'),
             ('pause', 'Bring the arm of a running graph to rest, and have it stay there.'),
             ('resume', 'Have a paused graph go on.'),
+            ('record', 'Record what a running graph says, until Ctrl-C.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
             ('key', 'Make the key by which the nodes know each other.'),
             ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
@@ -95,9 +98,13 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     commands['up'].set_defaults(run=_up)
     for name, run in (('pause', _pause), ('resume', _resume)):
         commands[name].set_defaults(run=run)
-    for name in ('up', 'pause', 'resume'):
+    commands['record'].add_argument(
+        'bag', type=new_bag, metavar='BAG', help='new directory to record to'
+    )
+    commands['record'].set_defaults(run=_record)
+    for name in ('up', 'pause', 'resume', 'record'):
         add_peers(commands[name])
-    for name in ('demo', 'up', 'pause', 'resume'):
+    for name in ('demo', 'up', 'pause', 'resume', 'record'):
         add_keystore(commands[name])
     commands['doctor'].set_defaults(run=_doctor)
     for command, metavar, add in (
@@ -125,6 +132,10 @@ def _add_graph(parser: Parser, arms: Mapping[str, str]) -> None:
     add_learning(parser)
     add_seed(parser, 'seed of all random numbers')
     add_key(parser)
+    parser.add_argument(
+        '--record', type=new_bag, metavar='BAG',
+        help='record every topic, and all that the run can be repeated from, to a new directory',
+    )
     parser.add_argument(
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
@@ -179,14 +190,14 @@ def _demo(options: argparse.Namespace) -> int:
     from srnn_bringup.report import Outputs
 
     outputs = Outputs(options.picture, options.json, options.save_weights)
-    return run_demo(configuration, options.segments, outputs)
+    return run_demo(configuration, options.segments, outputs, options.record)
 
 
 def _up(options: argparse.Namespace) -> int:
     configuration = _configuration(options)
     from srnn_bringup.up import run_up
 
-    return run_up(configuration, options.only, options.peer)
+    return run_up(configuration, options.only, options.peer, options.record)
 
 
 def _pause(options: argparse.Namespace) -> int:
@@ -201,6 +212,13 @@ def _resume(options: argparse.Namespace) -> int:
     from srnn_bringup.pausing import run_resume
 
     return run_resume(options.peer, options.secure)
+
+
+def _record(options: argparse.Namespace) -> int:
+    check_environment(os.environ)
+    from srnn_bringup.record import run_record
+
+    return run_record(options.bag, options.peer, options.secure)
 
 
 def _doctor(_: argparse.Namespace) -> int:

@@ -2,6 +2,7 @@
 """`srnn demo`: the arm learns an obstacle, live, and ends with a report."""
 
 from dataclasses import dataclass
+from pathlib import Path
 import signal
 import sys
 import time
@@ -40,13 +41,16 @@ class Progress:
         return 0.0 if self.began is None else max(self.last_end - self.began, 0.0)
 
 
-def run_demo(configuration: Configuration, segments: int, outputs: Outputs) -> int:
+def run_demo(
+    configuration: Configuration, segments: int, outputs: Outputs, bag: Path | None = None
+) -> int:
     """Run the graph until enough segments have ended, and report, whatever happens.
 
     Args:
         configuration: what the nodes are told.
         segments: number of segments to execute.
         outputs: files to write.
+        bag: new directory to record to; None to record nothing.
 
     Returns:
         Exit code: 0 after all segments, 1 after a failure, 128 + signal number when
@@ -60,7 +64,7 @@ def run_demo(configuration: Configuration, segments: int, outputs: Outputs) -> i
     code = 0
     with StopRequest() as stop:
         try:
-            with LiveGraph(configuration, stop, console.note) as graph:
+            with LiveGraph(configuration, stop, console.note, bag=bag) as graph:
                 names = graph.names
                 observer = Observer(graph.node, recorder, configuration.key())
                 _run(graph, observer, console, progress, segments)

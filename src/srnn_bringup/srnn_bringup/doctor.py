@@ -24,10 +24,9 @@ PYTHON = (3, 11)
 NEEDED = (
     'numpy', 'numba', 'mujoco', 'yaml', 'matplotlib', 'rclpy', 'lifecycle_msgs',
     'std_msgs', 'std_srvs', 'geometry_msgs', 'nav_msgs', 'sensor_msgs', 'trajectory_msgs',
-    'visualization_msgs', 'diagnostic_msgs', 'cryptography', 'srnn_access', 'srnn_config',
-    'srnn_msgs_py',
-    'srnn_node', 'srnn_planner', 'lwr_description', 'lwr_guard', 'lwr_tracking', 'lwr_sim_bridge',
-    'lwr_fri_driver',
+    'visualization_msgs', 'diagnostic_msgs', 'cryptography', 'mcap', 'srnn_access', 'srnn_bag',
+    'srnn_config', 'srnn_msgs_py', 'srnn_node', 'srnn_planner', 'lwr_description', 'lwr_guard',
+    'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver',
 )  # fmt: skip
 
 _DISTRIBUTIONS = {'yaml': 'PyYAML'}

@@ -13,7 +13,9 @@ import time
 from types import TracebackType
 from typing import Self
 
+from srnn_bringup import bag_attachments
 from srnn_bringup.access import COMMAND
+from srnn_bringup.bag_recorder import record
 from srnn_bringup.config import Configuration
 from srnn_bringup.environment import DOMAIN_ID, graph_environment, security_arguments
 from srnn_bringup.errors import (
@@ -58,6 +60,7 @@ class LiveGraph:
         say: Callable[[str], None],
         restarts: Restarts | None = None,
         names: Collection[str] = (),
+        bag: Path | None = None,
     ) -> None:
         """Start nothing yet.
 
@@ -68,6 +71,7 @@ class LiveGraph:
             restarts: when to start active nodes anew that have died; None: the graph is
                 at its end then.
             names: which nodes; all if empty.
+            bag: new directory to record to; None to record nothing.
 
         Raises:
             ChoiceError: one of them is not in this graph.
@@ -80,6 +84,7 @@ class LiveGraph:
         self._stack = ExitStack()
         self._active: list[LifecycleClient] = []
         self._chosen = names
+        self._bag = bag
         self.names = tuple(node.name for node in chosen(configuration, names))
 
     def __enter__(self) -> Self:
@@ -157,6 +162,11 @@ class LiveGraph:
             self._supervisor.start(self._command(description))
         keystore = self._configuration.keystore
         self.node, self.pump = stack.enter_context(session(COMMAND, self._guard, keystore))
+        if self._bag is not None:
+            recorder = record(self.node, self._bag)
+            stack.callback(lambda: self._say(recorder.words()))
+            stack.enter_context(recorder)
+            recorder.attach(bag_attachments.of_run(self._configuration, self._files))
         self._states = States(self.node, self.names)
         self._clients = [
             LifecycleClient(self.node, name, partial(self._last_error, name))

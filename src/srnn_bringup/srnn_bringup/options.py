@@ -153,6 +153,14 @@ def new_directory(text: str) -> Path:
     return path
 
 
+def new_bag(text: str) -> Path:
+    """Read the path of a directory that is not there yet."""
+    path = Path(text)
+    if path.exists():
+        raise argparse.ArgumentTypeError(f'{text!r}: is there already; name a new directory')
+    return path
+
+
 def picture_file(text: str) -> Path:
     """Read the path of a picture that can be written."""
     path = new_file(text)

@@ -2,6 +2,7 @@
 """`srnn up`: the graph, until the user has had enough."""
 
 from collections.abc import Collection, Sequence
+from pathlib import Path
 import sys
 
 from srnn_bringup.config import Configuration
@@ -15,7 +16,10 @@ from srnn_node.signals import StopRequest
 
 
 def run_up(
-    configuration: Configuration, names: Collection[str] = (), peers: Sequence[Peer] = ()
+    configuration: Configuration,
+    names: Collection[str] = (),
+    peers: Sequence[Peer] = (),
+    bag: Path | None = None,
 ) -> int:
     """Start the graph and keep it up until a signal comes; a node that dies is started anew.
 
@@ -23,6 +27,7 @@ def run_up(
         configuration: what the nodes are told.
         names: which nodes; all if empty.
         peers: other hosts, where the rest of the graph runs.
+        bag: new directory to record to; None to record nothing.
 
     Returns:
         Exit code: 0 when stopped by the user, 1 after a failure.
@@ -31,7 +36,7 @@ def run_up(
     console = Console(sys.stdout)
     with talking_to(peers), StopRequest() as stop:
         try:
-            with LiveGraph(configuration, stop, console.note, Restarts(), names) as graph:
+            with LiveGraph(configuration, stop, console.note, Restarts(), names, bag) as graph:
                 graph.configure()
                 graph.activate()
                 processes = ', '.join(f'{name} ({pid})' for name, pid in graph.pids.items())

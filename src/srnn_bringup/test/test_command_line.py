@@ -10,7 +10,7 @@ from srnn_bringup.report import Outputs
 @pytest.mark.parametrize(
     ('line', 'words'),
     [
-        ('dmo', "'demo', 'up', 'pause', 'resume', 'doctor'"),
+        ('dmo', "'demo', 'up', 'pause', 'resume', 'record'"),
         ('demo --key /nowhere.key', 'key file /nowhere.key: there is no such file'),
         ('up --key /', 'key file /: must be a regular file'),
         ('up --ky /nowhere.key', "did you mean '--key'?"),
@@ -43,6 +43,9 @@ from srnn_bringup.report import Outputs
         ('up --peer 300.1.2.3', 'must be an IPv4 or IPv6 address, or the name of a host'),
         ('pause --peer 127.0.0.1', 'is this host itself'),
         ('resume --only planner', "unknown argument '--only'"),
+        ('record', 'the following arguments are required: BAG'),
+        ('record /', "'/': is there already; name a new directory"),
+        ('demo --record /', "'/': is there already; name a new directory"),
         ('doctor --all', "unknown argument '--all'"),
     ],
 )
@@ -79,7 +82,8 @@ def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    'command', [[], ['demo'], ['up'], ['pause'], ['resume'], ['doctor'], ['key', 'create']]
+    'command',
+    [[], ['demo'], ['up'], ['pause'], ['resume'], ['record'], ['doctor'], ['key', 'create']],
 )
 def test_help_explains_every_option(command, capsys):
     with pytest.raises(SystemExit) as end:
@@ -98,9 +102,10 @@ def test_options_reach_the_demo(tmp_path, monkeypatch):
     figures, picture = tmp_path / 'd.json', tmp_path / 'd.svg'
     line = f'demo --signal global --segments 9 --seed 4 --json {figures} --picture {picture}'
     assert cli.main(line.split()) == 0
-    ((configuration, segments, outputs),) = calls
+    ((configuration, segments, outputs, bag),) = calls
     assert (configuration.learning.signal, configuration.seed, segments) == ('global', 4, 9)
     assert outputs == Outputs(picture=picture, json=figures)
+    assert bag is None
 
 
 def test_a_key_is_made_once_and_reaches_the_graph(tmp_path, monkeypatch, capsys):
@@ -126,7 +131,7 @@ def test_a_part_of_the_graph_starts_in_the_usual_order(monkeypatch):
     calls = []
     monkeypatch.setattr('srnn_bringup.up.run_up', lambda *arguments: calls.append(arguments) or 0)
     assert cli.main(['up']) == cli.main(['up', '--only', 'planner, tracker']) == 0
-    assert [call[1:] for call in calls] == [((), []), (('tracker', 'planner'), [])]
+    assert [call[1:] for call in calls] == [((), [], None), (('tracker', 'planner'), [], None)]
 
 
 def test_exit_code_of_the_command_is_handed_on(monkeypatch):

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Records what the graph says, as it was on the wire."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+import operator
+from pathlib import Path
+import time
+from types import TracebackType
+from typing import Any, NamedTuple, Self
+
+from rclpy.node import Node
+
+from srnn_bag import BagWriter, Message
+from srnn_bringup.sequence_gaps import SequenceGaps
+from srnn_msgs_py.qos import Qos
+from srnn_msgs_py.ros.message_type import message_type
+from srnn_msgs_py.ros.qos import profile
+from srnn_msgs_py.topics import ARMS, TOPICS, Topic
+
+POLL_S = 0.05
+"""Messages are fetched this often [s]: cheaper by far than one by one."""
+
+FLUSH_S = 0.25
+"""What is older than this is safe from the end of this process [s]."""
+
+HISTORY = 2000
+"""Messages of one topic that may wait to be fetched: those of several seconds."""
+
+NODE = 'srnn_recorder'
+
+LOG = Topic(
+    '/rosout', 'rcl_interfaces/msg/Log', Qos('log', reliable=True, latched=True, depth=HISTORY),
+    (), (), 'what the nodes have logged',
+)  # fmt: skip
+RECORDED = (*TOPICS, LOG)
+
+
+@dataclass(frozen=True)
+class Attachment:
+    """A file that a bag carries with it."""
+
+    name: str
+    media_type: str
+    data: bytes
+
+
+class _Track(NamedTuple):
+    topic: str
+    kind: Any
+    handle: Any
+    gaps: SequenceGaps | None
+
+
+@dataclass
+class BagRecorder:
+    """Fetches messages from the middleware and writes them; have `poll` called.
+
+    Its node must not be served by an executor, which would take the messages itself.
+
+    Attributes:
+        node: node to listen with; closed with the recorder.
+        writer: a new bag; closed with the recorder.
+
+    """
+
+    node: Node
+    writer: BagWriter
+    _tracks: list[_Track] = field(default_factory=list)
+    _waiting: list[Message] = field(default_factory=list)
+    _flushed: float = 0.0
+
+    def __post_init__(self) -> None:
+        for row in RECORDED:
+            self._listen(row)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    @property
+    def lost(self) -> Mapping[str, int]:
+        """Number of messages that were sent and did not arrive, by topic; empty for none."""
+        gaps = {track.topic: track.gaps.lost for track in self._tracks if track.gaps}
+        return {topic: lost for topic, lost in gaps.items() if lost}
+
+    def attach(self, files: Iterable[Attachment]) -> None:
+        """Put files into the bag."""
+        for file in files:
+            self.writer.attach(file.name, file.media_type, file.data, time.time_ns())
+        self.writer.flush()
+
+    def poll(self) -> None:
+        """Fetch and write what has arrived."""
+        fetched_ns = time.time_ns()
+        for track in self._tracks:
+            self._waiting.extend(_fetch(track))
+        self._waiting.sort(key=operator.attrgetter('received_ns'))
+        # What came while topics were fetched may be later than what is still to be fetched.
+        early = [message for message in self._waiting if message.received_ns < fetched_ns]
+        self._waiting = self._waiting[len(early) :]
+        self._write(early)
+
+    def words(self) -> str:
+        """Return what has become of the recording, for a person."""
+        lost = ''.join(f', {count} of {topic} LOST' for topic, count in self.lost.items())
+        return f'recorded {self.writer.contents.count} messages in {self.writer.directory}{lost}'
+
+    def close(self) -> None:
+        """Fetch what is left and finish the bag."""
+        self.poll()
+        self._write(self._waiting)
+        self._waiting = []
+        self.writer.close()
+        self.node.destroy_node()
+
+    def _listen(self, row: Topic) -> None:
+        topic = self.node.resolve_topic_name(row.name)
+        kind = message_type(row.type_name)
+        qos = profile(replace(row.qos, depth=HISTORY))
+        subscription = self.node.create_subscription(kind, row.name, _never, qos, raw=True)
+        # The numbers of several senders cannot be told apart.
+        one = len(row.publishers) == 1 or row.publishers == ARMS
+        gaps = SequenceGaps() if one and row.qos.reliable else None
+        self._tracks.append(_Track(topic, kind, subscription.handle, gaps))
+        self.writer.add_topic(topic, row.type_name, row.qos)
+
+    def _write(self, messages: list[Message]) -> None:
+        for topic, received_ns, sent_ns, sequence, data in messages:
+            self.writer.write(topic, data, received_ns, sent_ns, sequence)
+        now = time.monotonic()
+        if now - self._flushed > FLUSH_S:
+            self._flushed = now
+            self.writer.flush()
+
+
+def record(node: Node, directory: Path) -> BagRecorder:
+    """Begin to record beside a node of this process.
+
+    Raises:
+        BagExistsError: there is something in the place of the bag.
+
+    """
+    writer = BagWriter(directory)
+    listener = Node(
+        NODE, context=node.context, namespace=node.get_namespace(), enable_rosout=False,
+        start_parameter_services=False,
+    )  # fmt: skip
+    recorder = BagRecorder(listener, writer)
+    node.create_timer(POLL_S, recorder.poll)
+    return recorder
+
+
+def _fetch(track: _Track) -> list[Message]:
+    found = []
+    topic, kind, handle, gaps = track
+    with handle:
+        while (taken := handle.take_message(kind, True)) is not None:
+            data, info = taken
+            sequence = info['publication_sequence_number']
+            if gaps is not None:
+                gaps.take(sequence)
+            found.append(Message(
+                topic, info['received_timestamp'], info['source_timestamp'], sequence, data
+            ))  # fmt: skip
+    return found
+
+
+def _never(data: bytes) -> None:
+    raise AssertionError('the recorder fetches its messages itself')
