@@ -20,7 +20,7 @@ MAX_LINES = 300
 ORDER = (
     'srnn_config', 'srnn_access', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard',
     'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver', 'srnn_bag',
-    'srnn_experiments', 'srnn_bringup',
+    'srnn_replay', 'srnn_experiments', 'srnn_bringup',
 )  # fmt: skip
 STRANGERS = {
     'srnn_access': {'srnn_config'},
@@ -32,7 +32,8 @@ STRANGERS = {
     'lwr_description': {'srnn_msgs_py', 'srnn_node'},
     'lwr_guard': {'srnn_msgs_py', 'srnn_node'},
     'srnn_bag': set(ORDER) - {'srnn_msgs_py'},
-    'srnn_experiments': {'srnn_node', 'lwr_fri_driver', 'srnn_bag'},
+    'srnn_replay': {'lwr_guard', 'lwr_fri_driver', 'lwr_sim_bridge'},
+    'srnn_experiments': {'srnn_node', 'lwr_fri_driver', 'srnn_bag', 'srnn_replay'},
 }
 EXECUTABLES = {
     'srnn_planner': {

@@ -17,13 +17,13 @@ from watched_graph import free_scene, over
 import yaml
 
 from srnn_bag import Bag, open_bag
-from srnn_bringup.bag_attachments import PARAMETERS, RUN, SCENE
+from srnn_bag.attached import PARAMETERS, RUN, SCENE
 from srnn_bringup.bag_recorder import RECORDED
-from srnn_bringup.code_version import code_version
 from srnn_bringup.config import Configuration
 from srnn_bringup.live_graph import LiveGraph
 from srnn_msgs_py.topics import ARMS
 from srnn_node.signals import StopRequest
+from srnn_replay.code_version import code_version
 
 pytestmark = pytest.mark.slow
 

@@ -21,6 +21,7 @@ from srnn_config import Parameters, parameter
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import commands, executed, joints, pose, result, segment
 from srnn_msgs_py.segment import Segment
@@ -79,6 +80,8 @@ class TrackerNode(WorkspaceNode):
         self._latched = self._latch.read()
         self._kinematics = Kinematics(parameters.mount)
         Tracker(self._settings, self._kinematics)  # Compiles what activation must not wait for.
+        self._journal = self.keep_journal('tracker/journal')
+        self._journal.note(Deed.CONFIGURED)
         self._external: Any = None
         self._sample: JointSample | None = None
         self._arrival = 0.0
@@ -104,10 +107,11 @@ class TrackerNode(WorkspaceNode):
         # Joint states are heard while inactive as well: the watch on them begins now.
         self._sample = None
         self._tracker.restore(self._latched)
+        self._journal.note(Deed.ACTIVATED, self._latched.value)
 
     def deactivate(self) -> None:
         """Bring the arm to rest on its path, then command nothing more."""
-        self._tracker.pause()
+        self._pause()
         period = self._settings.period
         until = time.monotonic() + LONGEST_STOP
         while self._sample is not None and time.monotonic() < until:
@@ -118,7 +122,7 @@ class TrackerNode(WorkspaceNode):
             time.sleep(period)
             stamp_ns = self._sample.stamp_ns + round(1e9 * period)
             self._sample = replace(self._sample, stamp_ns=stamp_ns, position=self._sent[0])
-            self._cycle(self._sample)
+            self._cycle(self._sample, Deed.ASSUMED)
 
     def seconds_to_tick(self) -> float | None:
         """Return when the joint states are overdue [s]."""
@@ -129,7 +133,7 @@ class TrackerNode(WorkspaceNode):
     def on_tick(self) -> None:
         """Stop: without joint states nobody knows where the arm is."""
         self._sample = None
-        self._tracker.silence()
+        self._silence()
         self._tell()
 
     def health(self) -> Health:
@@ -170,8 +174,12 @@ class TrackerNode(WorkspaceNode):
             return
         if silence > SILENCE:
             # A process that has slept may find this one before its own watch.
-            self._tracker.silence()
-        self._cycle(sample)
+            self._silence()
+        self._cycle(sample, Deed.MEASURED)
+
+    def _silence(self) -> None:
+        self._journal.note(Deed.SILENT)
+        self._tracker.silence()
 
     def _tell(self) -> None:
         """Log what has stopped the arm until reset, once, and keep it for a successor."""
@@ -190,8 +198,10 @@ class TrackerNode(WorkspaceNode):
         except OSError as error:
             self.get_logger().error(f'latch: {error}')
 
-    def _cycle(self, sample: JointSample) -> None:
-        tick = self._tracker.tick(time.monotonic(), sample)
+    def _cycle(self, sample: JointSample, deed: Deed) -> None:
+        now = time.monotonic()
+        self._journal.note(deed, sample.stamp_ns, sample.lag_ns, now)
+        tick = self._tracker.tick(now, sample)
         self._tell()
         # Whoever reports again after a silence may be another arm: it is told nothing yet.
         if tick.command is not None and Condition.SILENT not in self._tracker.conditions:
@@ -209,6 +219,7 @@ class TrackerNode(WorkspaceNode):
         if not self.active:
             return
         age = 1e-9 * (self.get_clock().now().nanoseconds - value.stamp_ns)
+        self._journal.note(Deed.OFFERED, value.stamp_ns, time_s=age)
         refused = self._tracker.offer(value, age)
         # A duplicate has the identity of a segment that may well be running.
         if refused is not None and refused.reason != Refusal.DUPLICATE:
@@ -224,20 +235,24 @@ class TrackerNode(WorkspaceNode):
         if not self.active:
             self._keep(self._latched | Condition.STOPPED)
             return 'frozen until reset, once it is active'
+        self._journal.note(Deed.STOP)
         self._tracker.stop()
         self._tell()
         return 'frozen until reset'
 
     def _reset(self) -> str:
+        self._journal.note(Deed.RESET)
         self._tracker.reset()
         self._tell()
         return 'ready; the arm holds until the next segment'
 
     def _pause(self) -> str:
+        self._journal.note(Deed.PAUSE)
         self._tracker.pause()
         return 'coming to rest on the path'
 
     def _resume(self) -> str:
+        self._journal.note(Deed.RESUME)
         self._tracker.resume()
         return 'going on'
 

@@ -7,14 +7,11 @@ from pathlib import Path
 import sys
 from typing import Any
 
+from srnn_bag.attached import PARAMETERS, RUN, SCENE, START_WEIGHTS
 from srnn_bringup.bag_recorder import Attachment
-from srnn_bringup.code_version import code_version
 from srnn_bringup.config import Configuration
+from srnn_replay.code_version import code_version
 
-RUN = 'run.json'
-SCENE = 'scene.yaml'
-START_WEIGHTS = 'start_weights.npz'
-PARAMETERS = 'parameters/{}.yaml'
 YAML = 'application/yaml'
 
 

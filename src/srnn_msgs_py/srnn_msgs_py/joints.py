@@ -17,6 +17,7 @@ class JointSample:
         velocity: (7,) joint velocities [rad/s].
         torque: (7,) measured joint torques [Nm].
         external_torque: (7,) the arm's own estimate of the external torques [Nm].
+        lag_ns: how much later the external torques were measured [ns].
 
     """
 
@@ -25,3 +26,4 @@ class JointSample:
     velocity: NDArray[np.float64]
     torque: NDArray[np.float64]
     external_torque: NDArray[np.float64]
+    lag_ns: int = 0

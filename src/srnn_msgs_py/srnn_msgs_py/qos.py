@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The four ways in which topics of the workspace travel, by name."""
+"""The five ways in which topics of the workspace travel, by name."""
 
 from dataclasses import dataclass
 
@@ -34,5 +34,7 @@ MOTION = Qos('motion', reliable=True, latched=False, depth=1)
 LATCHED = Qos('latched', reliable=True, latched=True, depth=1)
 EVENT = Qos('event', reliable=True, latched=False, depth=10)
 SENSOR = Qos('sensor', reliable=False, latched=False, depth=1)
+# Deep enough that a recorder which is found late misses nothing of the first seconds.
+HISTORY = Qos('history', reliable=True, latched=True, depth=100)
 
-PROFILES = {profile.name: profile for profile in (MOTION, LATCHED, EVENT, SENSOR)}
+PROFILES = {profile.name: profile for profile in (MOTION, LATCHED, EVENT, SENSOR, HISTORY)}

@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass, field
 from enum import Enum
+import zlib
 
 
 class ResultCode(Enum):
@@ -31,3 +32,7 @@ class SegmentResult:
     code: ResultCode
     reason: str = ''
     values: dict[str, float] = field(default_factory=dict)
+
+    def digest(self) -> int:
+        """Return what tells this result of a segment from another one of the same segment."""
+        return zlib.crc32(f'{self.code.value} {self.reason}'.encode())

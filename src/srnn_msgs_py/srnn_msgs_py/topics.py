@@ -5,10 +5,13 @@ from dataclasses import dataclass
 
 from srnn_msgs_py.errors import UnknownTopicError
 from srnn_msgs_py.ownership import COMMAND, KEYED, MOVING, Ownership
-from srnn_msgs_py.qos import EVENT, LATCHED, MOTION, SENSOR, Qos
+from srnn_msgs_py.qos import EVENT, HISTORY, LATCHED, MOTION, SENSOR, Qos
 
 ARMS = ('sim_bridge', 'mock_arm', 'fri_driver')
 """The nodes that can stand for the arm, one at a time."""
+
+DECIDING = ('tracker', 'adapter', 'planner')
+"""The nodes whose decisions can be replayed."""
 
 NODES = ('planner', 'adapter', 'tracker', *ARMS, 'fri_emulator')
 """The nodes of the graph; every other name in the table is a person or a tool."""
@@ -115,6 +118,13 @@ TOPICS = (
     Topic(
         'belief', 'nav_msgs/msg/OccupancyGrid', LATCHED, ('adapter',), ('view',),
         'map of the learned inhibition for display',
+    ),
+    *(
+        Topic(
+            f'{node}/journal', 'std_msgs/msg/Int64MultiArray', HISTORY, (node,), ('view',),
+            f'what the {node} has acted on, in order, for replay',
+        )
+        for node in DECIDING
     ),
     Topic(
         '/diagnostics', 'diagnostic_msgs/msg/DiagnosticArray', EVENT, NODES, ('view',),

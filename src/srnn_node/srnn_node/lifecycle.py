@@ -20,6 +20,7 @@ from srnn_access import Refusal
 from srnn_config import Parameters
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health
+from srnn_msgs_py.ros import journal
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import topic
@@ -27,6 +28,7 @@ from srnn_node import garbage
 from srnn_node.access import Access, declare_key_file
 from srnn_node.diagnostics import HealthReporter
 from srnn_node.entities import EntityLedger
+from srnn_node.journal import JournalWriter
 from srnn_node.parameters import NoParameters, declare_parameters
 from srnn_node.realtime import prefer_thread
 
@@ -72,6 +74,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         self.failure = ''
         self.refused_messages = 0
         self._active = False
+        self._journal: JournalWriter | None = None
         for parameter, text in STARTING.items():
             self.declare_parameter(parameter, False, ParameterDescriptor(description=text))
         declare_key_file(self)
@@ -150,6 +153,16 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
             message_type(row.type_name), row.name, receive, profile(row.qos)
         )
 
+    def keep_journal(self, name: str) -> JournalWriter:
+        """Begin a journal, to be published on this topic while the node is active."""
+        publisher = self.advertise(name)
+        self._journal = JournalWriter(
+            lambda part: publisher.publish(journal.to_msg(part)),
+            time.time_ns(),
+            lambda: bool(publisher.is_activated),
+        )
+        return self._journal
+
     def report_health(self) -> None:
         """Publish the health now, besides once a second."""
         self._reporter.report()
@@ -190,6 +203,8 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         """Run the hook, then close the publishers."""
         self._active = False
         stopped = self._succeeds('deactivate', self.deactivate)
+        if self._journal is not None:
+            self._journal.flush()
         garbage.thaw()
         if self.ACTIVE_PRIORITY:
             prefer_thread(0)

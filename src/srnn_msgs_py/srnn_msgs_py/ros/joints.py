@@ -55,10 +55,10 @@ def from_msgs(
 
     """
     stamp_ns = stamp_from_msg(measured.header.stamp)
-    lag_ns = abs(stamp_ns - stamp_from_msg(external.header.stamp))
-    if lag_ns > max_lag_s * SECOND_NS:
+    lag_ns = stamp_from_msg(external.header.stamp) - stamp_ns
+    if abs(lag_ns) > max_lag_s * SECOND_NS:
         raise MessageError(
-            f'external torque is {lag_ns / 1e6:.1f} ms from the joint state: '
+            f'external torque is {abs(lag_ns) / 1e6:.1f} ms from the joint state: '
             f'must be <= {max_lag_s * 1e3:.1f} ms'
         )
     return JointSample(
@@ -67,6 +67,7 @@ def from_msgs(
         velocity=_ordered(measured, 'velocity', names),
         torque=_ordered(measured, 'effort', names),
         external_torque=_ordered(external, 'effort', names),
+        lag_ns=lag_ns,
     )
 
 

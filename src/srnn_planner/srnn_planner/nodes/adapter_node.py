@@ -4,6 +4,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 import time
+from typing import TypeVar
 
 import numpy as np
 from std_srvs.srv import Trigger
@@ -11,6 +12,7 @@ from std_srvs.srv import Trigger
 from srnn_config import Parameters, parameter
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health, HealthLevel
+from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.refusal import WeightsRefusal
 from srnn_msgs_py.ros import belief, dissonance, executed, refusal, segment, weights
 from srnn_msgs_py.ros import path as path_msg
@@ -19,14 +21,15 @@ from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
 from srnn_planner.core import weights_file
-from srnn_planner.core.adapter import Learner, Lesson
+from srnn_planner.core.adapter import Lesson
 from srnn_planner.core.checkpoint_keeper import CheckpointKeeper
 from srnn_planner.core.errors import PairingError, SrnnError
-from srnn_planner.core.learned_model import LearnedModel
-from srnn_planner.core.pairing import Pairing
+from srnn_planner.core.learning_session import Learned, LearningSession
 from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.statistics import Durations
 from srnn_planner.core.synaptic_change import input_change
+
+V = TypeVar('V')
 
 
 @dataclass(frozen=True)
@@ -56,14 +59,17 @@ class AdapterNode(WorkspaceNode):
     def configure(self, parameters: AdapterParameters) -> None:
         """Load weights, compile the kernels, connect topics and services."""
         self._settings = parameters
-        self._learner = Learner(parameters.model, np.random.default_rng([parameters.seed, 1]))
-        self._learner.warm_up()
         file = parameters.initial_weights
-        self._model = LearnedModel(self._learner, weights_file.load(file) if file else None)
+        initial = weights_file.load(file) if file else None
+        self._session = LearningSession(parameters.model, parameters.seed, initial)
+        self._learner, self._model = self._session.learner, self._session.model
+        self._learner.warm_up()
         self._went_back = ''
         self._keeper = CheckpointKeeper(parameters.checkpoint)
         self._restore()
-        self._pairing = Pairing()
+        self._journal = self.keep_journal('adapter/journal')
+        restored = self._keeper.version
+        self._journal.note(Deed.CONFIGURED, -1 if restored is None else restored)
         self._update_times = Durations()
         self._weights = self.advertise('weights')
         self._dissonance = self.advertise('dissonance')
@@ -78,7 +84,14 @@ class AdapterNode(WorkspaceNode):
 
     def activate(self) -> None:
         """Share the weights to start from."""
+        self._journal.note(Deed.ACTIVATED)
+        self._session.active = True
         self._share(0)
+
+    def deactivate(self) -> None:
+        """Learn no more."""
+        self._journal.note(Deed.DEACTIVATED)
+        self._session.active = False
 
     def health(self) -> Health:
         """Report counters, update times and what is wrong with keeping what was learned."""
@@ -98,24 +111,24 @@ class AdapterNode(WorkspaceNode):
         return Health(HealthLevel.WARN if wrong else HealthLevel.OK, wrong, values)
 
     def _on_segment(self, plan: Segment) -> None:
-        self._learn(self._pairing.segment(plan))
+        self._journal.note(Deed.PLAN, plan.stamp_ns)
+        self._learn(self._session.segment, plan)
 
     def _on_executed(self, path: ExecutedPath) -> None:
-        self._learn(self._pairing.executed(path))
+        self._journal.note(Deed.EXECUTED, path.stamp_ns)
+        self._learn(self._session.executed, path)
 
-    def _learn(self, pair: tuple[Segment, ExecutedPath] | None) -> None:
-        if pair is None or not self.active:
-            return
-        plan, path = pair
+    def _learn(self, take: Callable[[V, int], Learned | None], value: V) -> None:
         began = time.perf_counter()
         try:
-            lesson = self._model.learn(plan, path, self._now())
+            learned = take(value, self._now())
         except PairingError:
             self.refused_messages += 1
             return
-        if lesson is None:
+        if learned is None:
             return
         seconds = time.perf_counter() - began
+        plan, lesson = learned.plan, learned.lesson
         if lesson.updated:
             self._went_back = ''
             self._update_times.record(seconds)
@@ -123,10 +136,11 @@ class AdapterNode(WorkspaceNode):
         self._acknowledge(plan.stamp_ns, lesson, seconds)
         self._learner.prepare()
         self._segment_path.publish(path_msg.to_msg(plan))
-        self._executed_path.publish(path_msg.to_msg(path))
+        self._executed_path.publish(path_msg.to_msg(learned.path))
 
     def _on_refused(self, refused: WeightsRefusal) -> None:
         """Go back to earlier weights, so that learning goes on from there too."""
+        self._journal.note(Deed.REFUSED, refused.refused_version, refused.good_version)
         left = self._model.leave(refused, self._now())
         if left is not None:
             self._keeper.keep_refused(left)
@@ -189,10 +203,12 @@ class AdapterNode(WorkspaceNode):
 
     def _load(self) -> str:
         self._model.load(weights_file.load(self._file()), self._now())
+        self._journal.note(Deed.LOAD, self._model.weights.version)
         self._keep_and_share(0)
         return f'loaded {self._file()} as version {self._model.weights.version}'
 
     def _revert(self) -> str:
+        self._journal.note(Deed.REVERT)
         self._model.revert(self._now())
         self._keep_and_share(0)
         return f'back to the initial weights as version {self._model.weights.version}'

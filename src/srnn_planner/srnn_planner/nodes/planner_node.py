@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """The planner: samples the next segment in time for the tracker to go on without a stop."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import partial
 import time
-
-import numpy as np
+from typing import TypeVar
 
 from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health, HealthLevel
+from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import (
     dissonance,
@@ -32,14 +32,13 @@ from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
 from srnn_planner.core.errors import SrnnError
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
-from srnn_planner.core.planner import SegmentPlanner
-from srnn_planner.core.sequencer import Sequencer
+from srnn_planner.core.planning_session import Origin, PlanningSession
 from srnn_planner.core.statistics import Durations
-from srnn_planner.core.task import WaypointTask
-from srnn_planner.core.watched_planner import WatchedPlanner
 
 BLIND_S = 1.0
 """Without a pose for this long it is not known where the arm is [s]."""
+
+V = TypeVar('V')
 
 STALE_IN_A_ROW = 3
 """An interruption of the link makes a segment or two too old, a wrong clock makes all."""
@@ -71,16 +70,13 @@ class PlannerNode(WorkspaceNode):
         scene = load_scene(parameters.scene)
         self._workspace = parameters.model.workspace
         self._reach_radius = scene.task.reach_radius
-        self._planner = SegmentPlanner(
-            parameters.model, parameters.planning, np.random.default_rng([parameters.seed, 0]),
-            [obstacle for obstacle in scene.obstacles if obstacle.known],
+        self._session = PlanningSession(
+            Origin(scene, parameters.model, parameters.planning, parameters.seed)
         )
-        self._watched = WatchedPlanner(self._planner, parameters.planning.dead_after)
-        self._watch, self._told = self._watched.watch, ''
-        self._sequencer = Sequencer(
-            self._task(np.array(scene.waypoints)),
-            self._workspace, parameters.planning, scene.task.velocity,
-        )
+        self._journal = self.keep_journal('planner/journal')
+        self._journal.note(Deed.CONFIGURED)
+        self._sequencer = self._session.sequencer
+        self._watched, self._told = self._session.watched, ''
         self._planning_times = Durations()
         self._pose_time = 0.0
         self._stale_in_a_row = 0
@@ -93,13 +89,14 @@ class PlannerNode(WorkspaceNode):
         self.listen('dissonance', dissonance.from_msg, self._on_dissonance)
         self.listen('waypoints', waypoints.from_msg, self._on_waypoints)
         # After the topics, because meanwhile the middleware finds the other nodes.
-        self._planner.warm_up()
+        self._session.planner.warm_up()
         # Weights are signed anew for whoever asks, and must be read while they are fresh.
         neurons = parameters.model.network.neurons
         self.listen('weights', partial(weights.from_msg, neurons=neurons), self._on_weights)
 
     def activate(self) -> None:
         """Begin with the arm as it is seen next."""
+        self._journal.note(Deed.ACTIVATED)
         self._sequencer.forget_motion()
         self._show_waypoints()
 
@@ -113,14 +110,17 @@ class PlannerNode(WorkspaceNode):
         began = time.monotonic()
         if began - self._pose_time > BLIND_S:
             # A segment from where the arm was would be refused, and the next one be late.
+            self._journal.note(Deed.BLIND)
             self._sequencer.forget_motion()
             return
         request = self._sequencer.request(began)
         if request is None:
+            self._journal.note(Deed.PLANNED, time_s=began)
             return
         trajectory = self._watched.plan(request)
         planned = time.monotonic()
         if trajectory is None:
+            self._journal.note(Deed.PLANNED_IN_VAIN, time_s=began, until_s=planned)
             self._sequencer.failed(planned - began, planned)
             self._tell()
             return
@@ -129,10 +129,11 @@ class PlannerNode(WorkspaceNode):
         self._segment.publish(segment.to_msg(knots))
         self._planning_times.record(planned - began)
         now = time.monotonic()
+        self._journal.note(Deed.PLANNED, self._last_stamp, time_s=began, until_s=now)
         self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
         self._tell()
         self.report_health()
-        self._planner.prepare()
+        self._session.planner.prepare()
 
     def health(self) -> Health:
         """Report counters and planning times."""
@@ -145,12 +146,12 @@ class PlannerNode(WorkspaceNode):
             **times,
             'planning_ms': 1e3 * self._planning_times.last,
             'segment_stamp_ns': self._last_stamp,
-            'weights_version': self._watch.in_use.version,
-            'weights_refused': self._watch.refusals,
+            'weights_version': self._watched.watch.in_use.version,
+            'weights_refused': self._watched.watch.refusals,
         }
         doubtful = self._doubts()
         level = HealthLevel.WARN if doubtful or counters['invalid_plans'] else HealthLevel.OK
-        trouble = self._watch.trouble
+        trouble = self._watched.watch.trouble
         return Health(HealthLevel.ERROR if trouble else level, trouble or doubtful, values)
 
     def _tell(self) -> None:
@@ -158,7 +159,7 @@ class PlannerNode(WorkspaceNode):
         if self._watched.refusal is not None:
             self._refused.publish(refusal.to_msg(self._watched.refusal))
             self._watched.refusal = None
-        trouble = self._watch.trouble
+        trouble = self._watched.watch.trouble
         if trouble and trouble != self._told:
             self.get_logger().error(trouble)
             self.report_health()
@@ -173,52 +174,44 @@ class PlannerNode(WorkspaceNode):
 
     def _on_pose(self, tip: TipPosition) -> None:
         self._pose_time = time.monotonic()
-        self._sequencer.tip(tip.position[: self._dimensions])
+        if self.active:
+            self._journal.note(Deed.POSED, tip.stamp_ns)
+        self._session.pose(tip.position)
 
     def _on_executed(self, path: ExecutedPath) -> None:
-        positions = path.positions
-        if positions.shape[1] != self._dimensions or not np.isfinite(positions).all():
-            self.refused_messages += 1
-            return
-        if self._sequencer.executed(path.stamp_ns, positions):
+        self._journal.note(Deed.EXECUTED, path.stamp_ns)
+        if self._accepts(self._session.executed, path):
             self._show_waypoints()
 
     def _on_result(self, ended: SegmentResult) -> None:
         stale = ended.code is ResultCode.STALE
         self._stale_in_a_row = self._stale_in_a_row + 1 if stale else 0
-        self._sequencer.result(ended, time.monotonic())
+        now = time.monotonic()
+        self._journal.note(Deed.ENDED, ended.stamp_ns, ended.digest(), now)
+        self._session.result(ended, now)
 
     def _on_dissonance(self, lesson: Dissonance) -> None:
-        # Weights travel on a topic of their own and may be behind this message.
-        if not lesson.updated or lesson.weights_version <= self._watch.newest_version:
-            self._sequencer.learned(lesson.segment_stamp_ns)
+        self._journal.note(Deed.LEARNED, lesson.segment_stamp_ns)
+        self._session.lesson(lesson)
 
     def _on_weights(self, update: WeightsUpdate) -> None:
+        self._journal.note(Deed.WEIGHTS, update.version, update.checksum())
+        self._accepts(self._session.weights, update)
+        self._tell()
+
+    def _on_waypoints(self, tour: Waypoints) -> None:
+        self._journal.note(Deed.TOUR, tour.stamp_ns)
+        self._accepts(self._session.tour, tour)
+        self._show_waypoints()
+
+    def _accepts(self, take: Callable[[V], bool | None], value: V) -> bool | None:
+        """Have the session take in a value; count and log one that it refuses."""
         try:
-            self._watched.take(update)
+            return take(value)
         except SrnnError as error:
             self.refused_messages += 1
             self.get_logger().warning(str(error))
-            return
-        self._tell()
-        self._sequencer.learned(update.segment_stamp_ns)
-
-    def _on_waypoints(self, tour: Waypoints) -> None:
-        try:
-            self._sequencer.task = self._task(tour.points[:, : self._dimensions])
-        except SrnnError as error:
-            self.refused_messages += 1
-            self.get_logger().warning(f'waypoints refused: {error}')
-            return
-        self._show_waypoints()
-
-    @property
-    def _dimensions(self) -> int:
-        return self._planner.model.network.dimensions
-
-    def _task(self, metres: np.ndarray) -> WaypointTask:
-        units = self._workspace.to_units(metres)
-        return WaypointTask(units, self._reach_radius / self._workspace.half_extent)
+            return False
 
     def _show_waypoints(self) -> None:
         task = self._sequencer.task

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a node has acted on, in order: with it, its decisions can be made again from a bag."""
+
+from dataclasses import dataclass
+from enum import IntEnum
+import struct
+
+import numpy as np
+from numpy.typing import NDArray
+
+COLUMNS = ('deed', 'first', 'second', 'time', 'until')
+WIDTH = len(COLUMNS)
+
+_BITS = struct.Struct('<d')
+_WHOLE = struct.Struct('<q')
+
+
+class Deed(IntEnum):
+    """What a node has done; what it was done with is named by `first` and `second`.
+
+    Times are seconds of the steady clock of the node, unless said otherwise.
+    """
+
+    CONFIGURED = 1
+    """Begun from what it was told; the adapter with its checkpoint, of version `first`."""
+    ACTIVATED = 2
+    """Begun to work; the tracker with what has stopped a predecessor, in `first`."""
+    DEACTIVATED = 24
+    MEASURED = 3
+    """Answered joint states `first`, and external torques `second` ns later, at `time`."""
+    ASSUMED = 23
+    """Answered joint states `first` that had not arrived: those of an arm that follows."""
+    OFFERED = 4
+    """Judged segment `first`, `time` seconds after it was stamped."""
+    SILENT = 5
+    """Stopped, since joint states have ceased."""
+    STOP = 6
+    RESET = 7
+    PAUSE = 8
+    RESUME = 9
+    POSED = 10
+    """Heard where the arm is, in pose `first`."""
+    EXECUTED = 11
+    """Heard how segment `first` was executed."""
+    ENDED = 12
+    """Heard at `time` the result of segment `first`; `second` tells its text from others."""
+    LEARNED = 13
+    """Heard what was learned from segment `first`."""
+    WEIGHTS = 14
+    """Heard of weights of version `first` and checksum `second`."""
+    TOUR = 15
+    """Heard of way points, with stamp `first`."""
+    PLANNED = 16
+    """Planned from `time` to `until`; `first` is the segment, 0 if there was none to plan."""
+    PLANNED_IN_VAIN = 17
+    """Planned from `time` to `until`, and found no valid movement."""
+    BLIND = 18
+    """Forgotten what was under way, since poses have ceased."""
+    PLAN = 19
+    """Heard of segment `first`."""
+    REFUSED = 20
+    """Heard that version `first` of the weights is dead, and `second` is not."""
+    LOAD = 21
+    """Gone on from weights of elsewhere, as version `first`."""
+    REVERT = 22
+    """Gone back to the weights that learning began from."""
+
+
+@dataclass(frozen=True, eq=False)
+class Journal:
+    """A part of the journal of one process of a node.
+
+    Attributes:
+        session: when the process began its journal [ns of system time]; a successor has another.
+        index: number of the first row among those of the session.
+        rows: (n, 5) int64, columns as in `COLUMNS`; times are the bits of a float64.
+
+    """
+
+    session: int
+    index: int
+    rows: NDArray[np.int64]
+
+
+def row(
+    deed: Deed, first: int = 0, second: int = 0, time: float = 0.0, until: float = 0.0
+) -> tuple[int, int, int, int, int]:
+    """Return one row."""
+    return int(deed), first, second, bits(time), bits(until)
+
+
+def bits(value: float) -> int:
+    """Return the bits of a number as a whole number."""
+    whole: int
+    (whole,) = _WHOLE.unpack(_BITS.pack(value))
+    return whole
+
+
+def number(whole: int) -> float:
+    """Return the number with these bits."""
+    value: float
+    (value,) = _BITS.unpack(_WHOLE.pack(whole))
+    return value

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Build description of srnn_replay."""
+
+from setuptools import find_packages, setup
+
+PACKAGE = 'srnn_replay'
+
+setup(
+    name=PACKAGE,
+    version='0.1.0',
+    description='Recorded decisions made again, without middleware, and compared bit for bit.',
+    license='Apache-2.0',
+    maintainer='srnn workspace maintainers',
+    maintainer_email='maintainers@example.org',
+    python_requires='>=3.11',
+    packages=find_packages(exclude=['test']),
+    package_data={PACKAGE: ['py.typed']},
+    data_files=[
+        ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
+        (f'share/{PACKAGE}', ['package.xml']),
+    ],
+    install_requires=['setuptools', 'numpy', 'PyYAML'],
+    extras_require={'test': ['hypothesis', 'pytest']},
+    zip_safe=False,
+)

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a bag tells of one graph, by topic, and the journals of its nodes."""
+
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+import itertools
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+from rclpy.serialization import deserialize_message
+
+from srnn_bag import Bag, Message
+from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.ros import journal
+from srnn_msgs_py.ros.mark_carrier import mark_carrier
+from srnn_msgs_py.ros.message_type import message_type
+from srnn_msgs_py.topics import DECIDING, topic
+from srnn_replay.errors import NotReplayableError
+
+V = TypeVar('V')
+
+
+@dataclass(frozen=True, eq=False)
+class Session:
+    """The journal of one process of a node.
+
+    Attributes:
+        began_ns: when it began [ns of system time].
+        rows: (n, 5) what it has acted on, see `srnn_msgs_py.journal`.
+        until_ns: nothing that was sent later is of this process [ns of system time].
+
+    """
+
+    began_ns: int
+    rows: NDArray[np.int64]
+    until_ns: int
+
+
+class Recording:
+    """The messages of one node's topics, read once.
+
+    Attributes:
+        node: whose journal is to be followed.
+        sessions: the journals of its processes, in order.
+
+    """
+
+    def __init__(self, bag: Bag, node: str, topics: Collection[str], prefix: str) -> None:
+        """Read what a node has heard and said.
+
+        Args:
+            bag: where from.
+            node: name of a node that keeps a journal.
+            topics: names in the topic table.
+            prefix: namespace of the graph, ending in a slash.
+
+        Raises:
+            NotReplayableError: the journal is not whole.
+
+        """
+        self.node = node
+        self._prefix = prefix
+        names = {prefix + name for name in (*topics, f'{node}/journal')}
+        self._messages: dict[str, list[Message]] = {name: [] for name in names}
+        for message in bag.messages(names):
+            self._messages[message.topic].append(message)
+        self.sessions = _sessions(node, self.decoded(f'{node}/journal', journal.from_msg))
+
+    def raw(self, name: str) -> list[Message]:
+        """Return the messages of a topic, as they are in the bag."""
+        return self._messages[self._prefix + name]
+
+    def message(self, name: str, message: Message) -> Any:
+        """Return a message of a topic without the mark of its sender."""
+        row = topic(name)
+        kind = message_type(row.type_name)
+        msg = deserialize_message(message.data, kind)
+        if row.ownership is not None:
+            mark_carrier(kind).take(msg)
+        return msg
+
+    def decoded(self, name: str, convert: Callable[[Any], V]) -> 'list[Decoded[V]]':
+        """Return what the messages of a topic say; those that say nothing are left out."""
+        values = []
+        for message in self.raw(name):
+            try:
+                values.append(Decoded(message, convert(self.message(name, message))))
+            except MessageError:
+                continue  # The node has not taken it either.
+        return values
+
+
+@dataclass(frozen=True, eq=False)
+class Decoded(Generic[V]):
+    """A message and what it says."""
+
+    message: Message
+    value: V
+
+
+def prefixes(bag: Bag) -> list[str]:
+    """Return the namespaces of the graphs in a bag, each ending in a slash.
+
+    Raises:
+        NotReplayableError: the bag has no journals.
+
+    """
+    ends = tuple(f'/{node}/journal' for node in DECIDING)
+    found = {name[: -len(end) + 1] for name in bag.topics for end in ends if name.endswith(end)}
+    if not found:
+        raise NotReplayableError(f'{bag.path}: has no journals of nodes to replay')
+    return sorted(found)
+
+
+def of_session(messages: list[Message], session: Session) -> list[Message]:
+    """Return the messages that were sent in the time of a process."""
+    return [m for m in messages if session.began_ns <= m.sent_ns < session.until_ns]
+
+
+def _sessions(node: str, parts: 'list[Decoded[Any]]') -> list[Session]:
+    by_session: dict[int, list[Any]] = {}
+    for part in parts:
+        by_session.setdefault(part.value.session, []).append(part.value)
+    starts = sorted(by_session)
+    ends = [*starts[1:], 2**63 - 1]
+    sessions = []
+    for began, until in zip(starts, ends, strict=True):
+        pieces = sorted(by_session[began], key=lambda part: part.index)
+        expected = itertools.accumulate((len(p.rows) for p in pieces), initial=0)
+        for piece, index in zip(pieces, expected, strict=False):
+            if piece.index != index:
+                raise NotReplayableError(
+                    f'{node}: its journal lacks rows {index} to {piece.index - 1}; record from '
+                    'the start with --record'
+                )
+        sessions.append(Session(began, np.vstack([p.rows for p in pieces]), until))
+    return sessions

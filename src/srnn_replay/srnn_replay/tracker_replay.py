@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The decisions of the tracker made again: each command, each path, each result."""
+
+from collections import deque
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lwr_description import JOINT_NAMES, Kinematics
+from lwr_tracking.core.failsafe import Condition
+from lwr_tracking.core.refusal import Refusal
+from lwr_tracking.core.tracker import Tracker
+from lwr_tracking.tracker_node import MAX_LAG, NOT_IN_CHARGE
+from srnn_bag import Message
+from srnn_msgs_py.joints import JointSample
+from srnn_msgs_py.journal import Deed, number
+from srnn_msgs_py.ros import executed, joints, result, segment
+from srnn_msgs_py.segment import Segment
+from srnn_replay.errors import NotReplayableError
+from srnn_replay.joint_state_bytes import JointStateBytes, stamp_ns
+from srnn_replay.origin import RunOrigin
+from srnn_replay.recording import Recording, Session, of_session
+from srnn_replay.verdict import Told, Verdict, said_in
+
+NODE = 'tracker'
+MEASURED = 'joint_states'
+EXTERNAL = 'external_torque/joint_states'
+COMMANDS = 'forward_position_controller/commands'
+TOPICS = ('segment', MEASURED, EXTERNAL, COMMANDS, 'executed', 'segment_result')
+
+
+class TrackerReplay:
+    """Feeds a tracker what the tracker of a recording has acted on."""
+
+    def __init__(self, recording: Recording, origin: RunOrigin) -> None:
+        """Read the inputs."""
+        told = origin.tracker()
+        self._settings = told.tracking
+        self._kinematics = Kinematics(told.mount)
+        self._recording = recording
+        self._reader = JointStateBytes(JOINT_NAMES)
+        self._measured = {stamp_ns(m.data): m for m in recording.raw(MEASURED)}
+        self._external = {stamp_ns(m.data): m for m in recording.raw(EXTERNAL)}
+        self._segments = {
+            d.value.stamp_ns: d.value for d in recording.decoded('segment', segment.from_msg)
+        }
+        self._sample: JointSample | None = None
+        self._sent: deque[NDArray[np.float64]] = deque(
+            maxlen=max(1, round(self._settings.law.lead / self._settings.period))
+        )
+
+    def run(self) -> Verdict:
+        """Make all decisions again, until one differs."""
+        verdict = Verdict(NODE)
+        for session in self._recording.sessions:
+            self._listen(session, verdict)
+            if not all(self._act(Deed(int(row[0])), row) for row in session.rows):
+                break
+            end_ns = self._sample.stamp_ns if self._sample else session.began_ns
+            if not all(told.finish(end_ns) for told in (self._paths, self._results)):
+                break
+        return verdict
+
+    def _listen(self, session: Session, verdict: Verdict) -> None:
+        """Begin with what one process has said."""
+        said = of_session(self._recording.raw(COMMANDS), session)
+        self._commands = Told(
+            'commands', [(m, _numbers(m)) for m in said], lambda _: 'a command', verdict
+        )
+        paths, results = (
+            said_in(session, self._recording.decoded(topic, convert))
+            for topic, convert in (
+                ('executed', executed.from_msg), ('segment_result', result.from_msg),
+            )
+        )  # fmt: skip
+        results = [(m, value) for m, value in results if value.reason != NOT_IN_CHARGE]
+        self._paths = Told('paths', paths, lambda v: f'path of segment {v.stamp_ns}', verdict)
+        self._results = Told(
+            'results', results, lambda v: f'result of segment {v.stamp_ns}', verdict
+        )
+
+    def _act(self, deed: Deed, row: NDArray[np.int64]) -> bool:
+        """Do again what one row tells; return whether to go on."""
+        _, first, second, time, _ = (int(value) for value in row)
+        match deed:
+            case Deed.MEASURED:
+                self._sample = self._joint_sample(first, first + second)
+                return self._tick(number(time))
+            case Deed.ASSUMED:
+                assert self._sample is not None
+                self._sample = replace(self._sample, stamp_ns=first, position=self._sent[0])
+                return self._tick(number(time))
+            case Deed.OFFERED:
+                refused = self._tracker.offer(self._segment(first), number(time))
+                return (
+                    refused is None
+                    or refused.reason == Refusal.DUPLICATE
+                    or self._results.compare(result.from_msg(result.to_msg(refused)))
+                )
+            case Deed.ACTIVATED:
+                self._tracker = Tracker(self._settings, self._kinematics)
+                self._tracker.restore(Condition(first))
+            case Deed.SILENT:
+                self._tracker.silence()
+            case Deed.STOP:
+                self._tracker.stop()
+            case Deed.RESET:
+                self._tracker.reset()
+            case Deed.PAUSE:
+                self._tracker.pause()
+            case Deed.RESUME:
+                self._tracker.resume()
+        return True
+
+    def _tick(self, now: float) -> bool:
+        assert self._sample is not None
+        tick = self._tracker.tick(now, self._sample)
+        # As the node: whoever reports again after a silence is told nothing yet.
+        if tick.command is not None and Condition.SILENT not in self._tracker.conditions:
+            self._sent.append(tick.command)
+            if not self._commands.compare(tick.command):
+                return False
+        for end in tick.finished:
+            if end.path is not None:
+                path = executed.from_msg(executed.to_msg(end.path))
+                if not self._paths.compare(path):
+                    return False
+            if not self._results.compare(result.from_msg(result.to_msg(end.result))):
+                return False
+        return True
+
+    def _joint_sample(self, stamp: int, external_stamp: int) -> JointSample:
+        try:
+            measured, external = self._measured[stamp], self._external[external_stamp]
+        except KeyError:
+            raise NotReplayableError(
+                f'{NODE}: the bag lacks joint states {stamp}, which it has answered'
+            ) from None
+        own, others = self._reader.arrays(measured.data), self._reader.arrays(external.data)
+        if own is None or others is None:
+            return joints.from_msgs(
+                self._recording.message(MEASURED, measured),
+                self._recording.message(EXTERNAL, external), JOINT_NAMES, MAX_LAG,
+            )  # fmt: skip
+        return JointSample(stamp, *own, others[2], external_stamp - stamp)
+
+    def _segment(self, stamp: int) -> Segment:
+        try:
+            return self._segments[stamp]
+        except KeyError:
+            raise NotReplayableError(
+                f'{NODE}: the bag lacks segment {stamp}, which it has judged'
+            ) from None
+
+
+def _numbers(message: Message) -> Any:
+    """Return the numbers of a command, which are the last of its message."""
+    return np.frombuffer(message.data[-8 * len(JOINT_NAMES) :], '<f8')
