@@ -62,7 +62,7 @@ def test_dead_weights_are_told_of_at_once_to_the_adapter_and_once_to_people(
         planner.on_tick()
         return planner.health().level
 
-    dead = np.full_like(planner._planner.weights, -1.0)
+    dead = np.full_like(planner._session.planner.weights, -1.0)
     planner._on_weights(WeightsUpdate(7, 0, dead))
     levels = [tick() for _ in range(TRIES)]
     assert levels == [HealthLevel.WARN] * (TRIES - 1) + [HealthLevel.ERROR]
@@ -77,7 +77,7 @@ def test_dead_weights_are_told_of_at_once_to_the_adapter_and_once_to_people(
     ]
     planner._on_weights(WeightsUpdate(7, 0, dead))
     assert planner.refused_messages == 1
-    planner._on_weights(WeightsUpdate(8, 0, planner._planner.weights))
+    planner._on_weights(WeightsUpdate(8, 0, planner._session.planner.weights))
     assert planner.health().level is HealthLevel.WARN
     assert planner.health().values['weights_version'] == 8
     assert len(told) == 1

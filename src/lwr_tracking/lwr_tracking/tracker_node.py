@@ -80,8 +80,7 @@ class TrackerNode(WorkspaceNode):
         self._latched = self._latch.read()
         self._kinematics = Kinematics(parameters.mount)
         Tracker(self._settings, self._kinematics)  # Compiles what activation must not wait for.
-        self._journal = self.keep_journal('tracker/journal')
-        self._journal.note(Deed.CONFIGURED)
+        self.keep_journal('tracker/journal')
         self._external: Any = None
         self._sample: JointSample | None = None
         self._arrival = 0.0

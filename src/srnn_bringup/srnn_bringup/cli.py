@@ -30,6 +30,7 @@ from srnn_bringup.options import (
     picture_file,
     whole,
 )
+from srnn_bringup.replay_command import add_replay
 from srnn_config import ConfigError
 from srnn_experiments.errors import ExperimentError
 from srnn_planner.core.errors import SrnnError
@@ -82,6 +83,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('pause', 'Bring the arm of a running graph to rest, and have it stay there.'),
             ('resume', 'Have a paused graph go on.'),
             ('record', 'Record what a running graph says, until Ctrl-C.'),
+            ('replay', 'Decide again what a recorded run has decided, and compare bit for bit.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
             ('key', 'Make the key by which the nodes know each other.'),
             ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
@@ -102,6 +104,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         'bag', type=new_bag, metavar='BAG', help='new directory to record to'
     )
     commands['record'].set_defaults(run=_record)
+    add_replay(commands['replay'])
     for name in ('up', 'pause', 'resume', 'record'):
         add_peers(commands[name])
     for name in ('demo', 'up', 'pause', 'resume', 'record'):

@@ -22,47 +22,52 @@ class Deed(IntEnum):
     """
 
     CONFIGURED = 1
-    """Begun from what it was told; the adapter with its checkpoint, of version `first`."""
-    ACTIVATED = 2
+    """Begun from what it was told."""
+    RESTORED = 2
+    """Gone on from a checkpoint, of version `first`."""
+    ACTIVATED = 3
     """Begun to work; the tracker with what has stopped a predecessor, in `first`."""
-    DEACTIVATED = 24
-    MEASURED = 3
+    DEACTIVATED = 4
+
+    MEASURED = 5
     """Answered joint states `first`, and external torques `second` ns later, at `time`."""
-    ASSUMED = 23
+    ASSUMED = 6
     """Answered joint states `first` that had not arrived: those of an arm that follows."""
-    OFFERED = 4
+    OFFERED = 7
     """Judged segment `first`, `time` seconds after it was stamped."""
-    SILENT = 5
+    SILENT = 8
     """Stopped, since joint states have ceased."""
-    STOP = 6
-    RESET = 7
-    PAUSE = 8
-    RESUME = 9
-    POSED = 10
+    STOP = 9
+    RESET = 10
+    PAUSE = 11
+    RESUME = 12
+
+    POSED = 13
     """Heard where the arm is, in pose `first`."""
-    EXECUTED = 11
+    EXECUTED = 14
     """Heard how segment `first` was executed."""
-    ENDED = 12
+    ENDED = 15
     """Heard at `time` the result of segment `first`; `second` tells its text from others."""
-    LEARNED = 13
+    LEARNED = 16
     """Heard what was learned from segment `first`."""
-    WEIGHTS = 14
+    WEIGHTS = 17
     """Heard of weights of version `first` and checksum `second`."""
-    TOUR = 15
+    TOUR = 18
     """Heard of way points, with stamp `first`."""
-    PLANNED = 16
+    PLANNED = 19
     """Planned from `time` to `until`; `first` is the segment, 0 if there was none to plan."""
-    PLANNED_IN_VAIN = 17
+    PLANNED_IN_VAIN = 20
     """Planned from `time` to `until`, and found no valid movement."""
-    BLIND = 18
+    BLIND = 21
     """Forgotten what was under way, since poses have ceased."""
-    PLAN = 19
+
+    PLAN = 22
     """Heard of segment `first`."""
-    REFUSED = 20
+    REFUSED = 23
     """Heard that version `first` of the weights is dead, and `second` is not."""
-    LOAD = 21
+    LOAD = 24
     """Gone on from weights of elsewhere, as version `first`."""
-    REVERT = 22
+    REVERT = 25
     """Gone back to the weights that learning began from."""
 
 

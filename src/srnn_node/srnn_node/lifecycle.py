@@ -20,6 +20,7 @@ from srnn_access import Refusal
 from srnn_config import Parameters
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health
+from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import journal
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
@@ -74,7 +75,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         self.failure = ''
         self.refused_messages = 0
         self._active = False
-        self._journal: JournalWriter | None = None
+        self._journal = JournalWriter(lambda part: None, 0)
         for parameter, text in STARTING.items():
             self.declare_parameter(parameter, False, ParameterDescriptor(description=text))
         declare_key_file(self)
@@ -153,7 +154,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
             message_type(row.type_name), row.name, receive, profile(row.qos)
         )
 
-    def keep_journal(self, name: str) -> JournalWriter:
+    def keep_journal(self, name: str) -> None:
         """Begin a journal, to be published on this topic while the node is active."""
         publisher = self.advertise(name)
         self._journal = JournalWriter(
@@ -161,7 +162,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
             time.time_ns(),
             lambda: bool(publisher.is_activated),
         )
-        return self._journal
+        self._journal.note(Deed.CONFIGURED)
 
     def report_health(self) -> None:
         """Publish the health now, besides once a second."""
@@ -203,8 +204,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         """Run the hook, then close the publishers."""
         self._active = False
         stopped = self._succeeds('deactivate', self.deactivate)
-        if self._journal is not None:
-            self._journal.flush()
+        self._journal.flush()
         garbage.thaw()
         if self.ACTIVE_PRIORITY:
             prefer_thread(0)

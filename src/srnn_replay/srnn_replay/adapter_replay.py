@@ -54,20 +54,10 @@ class AdapterReplay:
         return self._verdict
 
     def _begin(self, session: Session) -> None:
-        deed, restored = (int(value) for value in session.rows[0, :2])
-        if deed != Deed.CONFIGURED:
-            raise NotReplayableError(f'{NODE}: its journal does not begin with its process')
         self._session = LearningSession(self._told.model, self._told.seed, self._start)
-        if restored >= 0:
-            kept = self._checkpoint
-            if kept is None or kept.weights.version != restored:
-                raise NotReplayableError(
-                    f'{NODE}: it went on from version {restored} of a checkpoint, which was '
-                    'learned before this bag'
-                )
-            self._session.model.restore(kept, NO_TIME)
         self._lessons = Told(
-            'lessons', said_in(session, self._recording.decoded('dissonance', dissonance.from_msg)),
+            'lessons',
+            said_in(session, self._recording.decoded('dissonance', dissonance.from_msg)),
             lambda v: f'lesson of segment {v.segment_stamp_ns}', self._verdict,
         )  # fmt: skip
         self._shared = Told(
@@ -83,6 +73,8 @@ class AdapterReplay:
         match deed:
             case Deed.PLAN | Deed.EXECUTED:
                 return self._learn(deed, first)
+            case Deed.RESTORED:
+                self._restore(first)
             case Deed.ACTIVATED:
                 session.active = True
                 return self._share(0)
@@ -100,6 +92,15 @@ class AdapterReplay:
                 model.revert(NO_TIME)
                 return self._keep_and_share(0)
         return True
+
+    def _restore(self, version: int) -> None:
+        kept = self._checkpoint
+        if kept is None or kept.weights.version != version:
+            raise NotReplayableError(
+                f'{NODE}: it went on from version {version} of a checkpoint, which was learned '
+                'before this bag'
+            )
+        self._session.model.restore(kept, NO_TIME)
 
     def _learn(self, deed: Deed, stamp_ns: int) -> bool:
         try:

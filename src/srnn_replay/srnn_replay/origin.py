@@ -89,7 +89,7 @@ class RunOrigin:
         try:
             told = _mapping(self._file(name), where)['/**']['ros__parameters']
             # Every node also has parameters that decide nothing, for example how it starts.
-            known = {field.name for field in fields(cls)}
+            known = {field.name for field in fields(cls)}  # type: ignore[arg-type]
             return build(cls, {key: told[key] for key in told if key in known}, where)
         except (ConfigError, KeyError, TypeError) as error:
             raise NotReplayableError(f'{where}: {error}') from error

@@ -23,7 +23,6 @@ from srnn_msgs_py.segment import Segment
 from srnn_planner.core.errors import SrnnError
 from srnn_planner.core.planning_session import PlanningSession
 from srnn_replay.difference import Difference
-from srnn_replay.errors import NotReplayableError
 from srnn_replay.inputs import Inputs
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, Session
@@ -68,8 +67,6 @@ class PlannerReplay:
         return self._verdict
 
     def _begin(self, session: Session) -> None:
-        if session.rows[0, 0] != Deed.CONFIGURED:
-            raise NotReplayableError(f'{NODE}: its journal does not begin with its process')
         self._session = PlanningSession(self._origin)
         self._segments = Told(
             'segments', said_in(session, self._recording.decoded('segment', segment.from_msg)),

@@ -12,6 +12,7 @@ from rclpy.serialization import deserialize_message
 
 from srnn_bag import Bag, Message
 from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import journal
 from srnn_msgs_py.ros.mark_carrier import mark_carrier
 from srnn_msgs_py.ros.message_type import message_type
@@ -134,5 +135,7 @@ def _sessions(node: str, parts: 'list[Decoded[Any]]') -> list[Session]:
                     f'{node}: its journal lacks rows {index} to {piece.index - 1}; record from '
                     'the start with --record'
                 )
+        if not pieces or pieces[0].rows[0, 0] != Deed.CONFIGURED:
+            raise NotReplayableError(f'{node}: its journal does not begin with its process')
         sessions.append(Session(began, np.vstack([p.rows for p in pieces]), until))
     return sessions

@@ -17,8 +17,8 @@ from srnn_bag import Message
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.journal import Deed, number
 from srnn_msgs_py.ros import executed, joints, result, segment
-from srnn_msgs_py.segment import Segment
 from srnn_replay.errors import NotReplayableError
+from srnn_replay.inputs import Inputs
 from srnn_replay.joint_state_bytes import JointStateBytes, stamp_ns
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, Session, of_session
@@ -43,9 +43,8 @@ class TrackerReplay:
         self._reader = JointStateBytes(JOINT_NAMES)
         self._measured = {stamp_ns(m.data): m for m in recording.raw(MEASURED)}
         self._external = {stamp_ns(m.data): m for m in recording.raw(EXTERNAL)}
-        self._segments = {
-            d.value.stamp_ns: d.value for d in recording.decoded('segment', segment.from_msg)
-        }
+        self._segments = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
+        self._tracker = Tracker(self._settings, self._kinematics)
         self._sample: JointSample | None = None
         self._sent: deque[NDArray[np.float64]] = deque(
             maxlen=max(1, round(self._settings.law.lead / self._settings.period))
@@ -93,7 +92,7 @@ class TrackerReplay:
                 self._sample = replace(self._sample, stamp_ns=first, position=self._sent[0])
                 return self._tick(number(time))
             case Deed.OFFERED:
-                refused = self._tracker.offer(self._segment(first), number(time))
+                refused = self._tracker.offer(self._segments[first], number(time))
                 return (
                     refused is None
                     or refused.reason == Refusal.DUPLICATE
@@ -144,15 +143,9 @@ class TrackerReplay:
                 self._recording.message(MEASURED, measured),
                 self._recording.message(EXTERNAL, external), JOINT_NAMES, MAX_LAG,
             )  # fmt: skip
-        return JointSample(stamp, *own, others[2], external_stamp - stamp)
-
-    def _segment(self, stamp: int) -> Segment:
-        try:
-            return self._segments[stamp]
-        except KeyError:
-            raise NotReplayableError(
-                f'{NODE}: the bag lacks segment {stamp}, which it has judged'
-            ) from None
+        position, velocity, torque = own
+        lag_ns = external_stamp - stamp
+        return JointSample(stamp, position, velocity, torque, others[2], lag_ns)
 
 
 def _numbers(message: Message) -> Any:

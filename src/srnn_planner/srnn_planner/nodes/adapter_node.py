@@ -67,9 +67,9 @@ class AdapterNode(WorkspaceNode):
         self._went_back = ''
         self._keeper = CheckpointKeeper(parameters.checkpoint)
         self._restore()
-        self._journal = self.keep_journal('adapter/journal')
-        restored = self._keeper.version
-        self._journal.note(Deed.CONFIGURED, -1 if restored is None else restored)
+        self.keep_journal('adapter/journal')
+        if self._keeper.version is not None:
+            self._journal.note(Deed.RESTORED, self._keeper.version)
         self._update_times = Durations()
         self._weights = self.advertise('weights')
         self._dissonance = self.advertise('dissonance')

@@ -73,8 +73,7 @@ class PlannerNode(WorkspaceNode):
         self._session = PlanningSession(
             Origin(scene, parameters.model, parameters.planning, parameters.seed)
         )
-        self._journal = self.keep_journal('planner/journal')
-        self._journal.note(Deed.CONFIGURED)
+        self.keep_journal('planner/journal')
         self._sequencer = self._session.sequencer
         self._watched, self._told = self._session.watched, ''
         self._planning_times = Durations()

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All decisions of a recorded run made again, as many nodes at a time as there are cores."""
+
+from collections.abc import Callable, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+import multiprocessing
+import os
+from pathlib import Path
+import time
+from typing import Protocol
+
+from srnn_bag import Bag, open_bag
+from srnn_replay import adapter_replay, planner_replay, tracker_replay
+from srnn_replay.adapter_replay import AdapterReplay
+from srnn_replay.origin import RunOrigin
+from srnn_replay.planner_replay import PlannerReplay
+from srnn_replay.recording import Recording, prefixes
+from srnn_replay.tracker_replay import TrackerReplay
+from srnn_replay.verdict import Verdict
+
+
+class Replaying(Protocol):
+    """What makes the decisions of a node again."""
+
+    def run(self) -> Verdict:
+        """Make all decisions again, until one differs."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """How the decisions of one node are made again."""
+
+    topics: tuple[str, ...]
+    begin: Callable[[Recording, RunOrigin], Replaying]
+
+
+KINDS: Mapping[str, Kind] = {
+    # The longest first.
+    'tracker': Kind(tracker_replay.TOPICS, TrackerReplay),
+    'planner': Kind(planner_replay.TOPICS, PlannerReplay),
+    'adapter': Kind(adapter_replay.TOPICS, AdapterReplay),
+}
+
+
+@dataclass(frozen=True)
+class Replay:
+    """What a replay has found.
+
+    Attributes:
+        verdicts: of every node that has a journal in the bag.
+        run_s: what the bag covers [s].
+        seconds: what the replay took [s].
+        note: what may make the last bit of a number another one here; empty for nothing.
+
+    """
+
+    verdicts: tuple[Verdict, ...]
+    run_s: float
+    seconds: float
+    note: str
+
+    @property
+    def identical(self) -> bool:
+        """Tell whether every decision came out as it was recorded."""
+        return all(verdict.identical for verdict in self.verdicts)
+
+
+def replay(path: Path) -> Replay:
+    """Make all decisions of a recorded run again.
+
+    Raises:
+        BagError: there is no such bag, or it is damaged.
+        OtherVersionError: it was recorded by another version.
+        NotReplayableError: it lacks what decisions could be made again from.
+
+    """
+    began = time.perf_counter()
+    bag = open_bag(path)
+    note = RunOrigin(bag).check_version()
+    tasks = [
+        (path, node, prefix)
+        for node in KINDS for prefix in prefixes(bag)
+        if f'{prefix}{node}/journal' in bag.topics
+    ]  # fmt: skip
+    context = multiprocessing.get_context('fork')
+    with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
+        verdicts = tuple(pool.map(_verdict, *zip(*tasks, strict=True)))
+    return Replay(verdicts, _span_s(bag), time.perf_counter() - began, note)
+
+
+def _verdict(path: Path, node: str, prefix: str) -> Verdict:
+    bag, kind = open_bag(path), KINDS[node]
+    return kind.begin(Recording(bag, node, kind.topics, prefix), RunOrigin(bag)).run()
+
+
+def _span_s(bag: Bag) -> float:
+    """Return the time from the first to the last health report of a bag [s]."""
+    names = {name for name in bag.topics if name.endswith('/diagnostics')}
+    stamps = [message.received_ns for message in bag.messages(names)]
+    return 1e-9 * (max(stamps) - min(stamps)) if stamps else 0.0
