@@ -144,9 +144,10 @@ class World:
         for heard in self.recorded.values():
             heard.clear()
         self.run(40)
-        version, counters = self.planner._watch.in_use.version, self.tracker._tracker.counters
+        watch, counters = self.planner._watched.watch, self.tracker._tracker.counters
+        version = watch.in_use.version
         self.invited.sends('weights', self.message('weights'))
-        self.until(lambda: self.planner._watch.in_use.version == version + 1)
+        self.until(lambda: watch.in_use.version == version + 1)
         self.invited.sends('segment', self.message('segment'))
         self.until(lambda: counters.accepted == 1)
         self.run(50)
@@ -203,7 +204,7 @@ class World:
         if reference is not None:
             numbers += [reference.position, sample.position, sample.velocity]
         others = (
-            planner._watch.in_use.version, asdict(tracker.counters), dict(arm.refused),
+            planner._watched.watch.in_use.version, asdict(tracker.counters), dict(arm.refused),
             reference and (reference.running, reference.waiting), sample and sample.stamp_ns,
         )  # fmt: skip
         return b''.join([*(part.tobytes() for part in numbers), repr(others).encode()])
@@ -216,7 +217,8 @@ class World:
             return segment.to_msg(line(START, END, 0.1, stamp_ns=now))
         if name == 'weights':
             ones = np.full((49, 49), 0.5, dtype=np.float32)
-            return weights.to_msg(WeightsUpdate(self.planner._watch.in_use.version + 1, 1, ones))
+            version = self.planner._watched.watch.in_use.version + 1
+            return weights.to_msg(WeightsUpdate(version, 1, ones))
         if name == 'joint_states':
             sample = replace(self.tracker._sample, position=angles)
             return joints.to_msgs(sample, JOINT_NAMES)[0]

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a recorded run has decided is decided again, bit for bit, and every difference is found."""
+
+from collections.abc import Callable, Iterator
+import itertools
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from srnn_process import SCENE
+from std_srvs.srv import Trigger
+from watched_graph import PATIENCE_S, Watched
+
+from srnn_bag import Bag, BagWriter, Message, open_bag
+from srnn_bag.attached import RUN
+from srnn_bringup import cli
+from srnn_bringup.config import Choices, load
+from srnn_bringup.live_graph import LiveGraph
+from srnn_bringup.restarts import Restarts
+from srnn_msgs_py.qos import EVENT
+from srnn_node.signals import StopRequest
+from srnn_replay.counterfactual import learn_again
+from srnn_replay.errors import NotReplayableError, OtherVersionError
+from srnn_replay.joint_state_bytes import stamp_ns
+from srnn_replay.replay import Replay, replay
+
+pytestmark = pytest.mark.slow
+
+RUN_SEGMENTS = 8
+
+
+@pytest.fixture(scope='module')
+def eventful(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the bag of a run with a touch, stops, pauses, and the death of every node."""
+    folder = tmp_path_factory.mktemp('run')
+    (folder / 'wall.yaml').write_text(SCENE)
+    configuration = load(Choices(scene=str(folder / 'wall.yaml'), seed=2))
+    with (
+        StopRequest() as stop,
+        LiveGraph(configuration, stop, lambda _: None, Restarts(), bag=folder / 'bag') as graph,
+    ):
+        watched = Watched(graph, guarded=True)
+        graph.configure()
+        graph.activate()
+        goes_on(watched, 4)
+        for service in ('stop', 'reset', 'pause', 'resume'):
+            watched.spin(0.3)
+            assert watched.call(Trigger, f'tracker/{service}').success
+        goes_on(watched, 2)
+        for node in ('adapter', 'planner', 'tracker'):
+            watched.kill(node)
+            goes_on(watched, 3)
+        watched.kill('sim_bridge')
+        watched.spin(4.0)
+        assert watched.call(Trigger, 'tracker/reset').success
+        goes_on(watched, 2)
+    return folder / 'bag'
+
+
+def goes_on(watched: Watched, count: int) -> None:
+    before = len(watched.done())
+    watched.until(lambda: len(watched.done()) >= before + count, PATIENCE_S)
+
+
+def decisions(found: Replay) -> dict[str, dict[str, int]]:
+    return {verdict.node: dict(verdict.decisions) for verdict in found.verdicts}
+
+
+def test_all_decisions_come_out_as_they_were_twice(eventful):
+    first, again = replay(eventful), replay(eventful)
+    assert first.identical, [verdict.words() for verdict in first.verdicts]
+    assert decisions(first) == decisions(again)
+    counts = decisions(first)
+    bag = open_bag(eventful)
+    for node, kind, topic in (
+        ('tracker', 'commands', '/forward_position_controller/commands'),
+        ('tracker', 'paths', '/executed'),
+        ('planner', 'segments', '/segment'),
+        ('adapter', 'lessons', '/dissonance'),
+    ):
+        recorded = sum(1 for _ in bag.messages({topic}))
+        # Of a process that was killed the last rows of its journal are missing.
+        assert recorded - 120 <= counts[node][kind] <= recorded
+    assert counts['tracker']['results'] > RUN_SEGMENTS
+    assert counts['adapter']['versions of the weights'] >= 3
+
+
+@pytest.fixture
+def changed(eventful: Path, tmp_path: Path) -> Iterator[Callable[..., Path]]:
+    """Return a function that writes the bag again with other messages or attachments."""
+
+    def write(
+        change: Callable[[Message], Message | None], attachments: dict[str, bytes] | None = None
+    ) -> Path:
+        bag: Bag = open_bag(eventful)
+        with BagWriter(tmp_path / 'changed') as writer:
+            for name, data in {**bag.attachments, **(attachments or {})}.items():
+                writer.attach(name, 'text/plain', data, 0)
+            for topic, type_name in bag.topics.items():
+                writer.add_topic(topic, type_name, EVENT)
+            for message in bag.messages():
+                other = change(message)
+                if other is not None:
+                    topic, received_ns, sent_ns, sequence, data = other
+                    writer.write(topic, data, received_ns, sent_ns, sequence)
+        return tmp_path / 'changed'
+
+    return write
+
+
+def nth(bag: Path, topic: str, number: int) -> Message:
+    return next(itertools.islice(open_bag(bag).messages({topic}), number, None))
+
+
+def test_one_flipped_bit_in_one_plan_is_found_and_named(eventful, changed, capsys):
+    chosen = nth(eventful, '/segment', 2)
+    data = bytearray(chosen.data)
+    place = data.find(np.float64(0.0).tobytes(), 200)
+    data[place + 6] ^= 1
+    bag = changed(lambda m: m._replace(data=bytes(data)) if m == chosen else m)
+    assert cli.main(['replay', str(bag)]) == 1
+    out = capsys.readouterr().out
+    (line,) = [line for line in out.splitlines() if line.startswith('planner: ')]
+    assert f'segment {stamp_ns(chosen.data)} differs after 2 segments: ' in line
+    assert 'recorded ' in line
+    assert 'replayed ' in line
+
+
+def test_one_flipped_bit_in_one_command_is_found(eventful, changed):
+    chosen = nth(eventful, '/forward_position_controller/commands', 300)
+    data = bytearray(chosen.data)
+    data[-8] ^= 1
+    found = replay(changed(lambda m: m._replace(data=bytes(data)) if m == chosen else m))
+    (tracker,) = [verdict for verdict in found.verdicts if verdict.node == 'tracker']
+    assert tracker.decisions['commands'] == 300
+    assert tracker.difference.where == '[6]'
+    assert not found.identical
+
+
+def test_a_bag_that_lacks_an_input_says_which(eventful, changed):
+    chosen = nth(eventful, '/joint_states', 500)
+    with pytest.raises(NotReplayableError, match=f'lacks joint states {stamp_ns(chosen.data)}'):
+        replay(changed(lambda m: None if m == chosen else m))
+
+
+def test_a_bag_that_lacks_a_part_of_a_journal_is_refused(eventful, changed):
+    chosen = nth(eventful, '/planner/journal', 3)
+    with pytest.raises(NotReplayableError, match='planner: its journal lacks rows'):
+        replay(changed(lambda m: None if m == chosen else m))
+
+
+def test_a_bag_of_another_version_is_refused(eventful, changed):
+    run = json.loads(open_bag(eventful).attachments[RUN])
+    run['versions'].update(code='0123456789abcdef', commit='abc')
+    bag = changed(lambda m: m, {RUN: json.dumps(run).encode()})
+    with pytest.raises(OtherVersionError, match=r'commit abc\): code 0123456789abcdef, here '):
+        replay(bag)
+
+
+def test_the_same_experience_with_the_same_parameters_gives_the_same_weights(tmp_path):
+    (tmp_path / 'wall.yaml').write_text(SCENE)
+    arguments = ['--scene', str(tmp_path / 'wall.yaml'), '--segments', '6', '--seed', '2']
+    weights, picture = tmp_path / 'weights.npz', tmp_path / 'demo.png'
+    files = ['--save-weights', str(weights), '--picture', str(picture)]
+    assert cli.main(['demo', *arguments, *files, '--record', str(tmp_path / 'bag')]) == 0
+    again = tmp_path / 'again.npz'
+    changes = ['--signal', 'local', '--save-weights', str(again)]
+    assert cli.main(['replay', str(tmp_path / 'bag'), *changes]) == 0
+    assert again.read_bytes() == weights.read_bytes()
+    quiet = learn_again(tmp_path / 'bag', {'learning.signal': 'none'})
+    assert not quiet.updates
+    assert not quiet.change.any()
