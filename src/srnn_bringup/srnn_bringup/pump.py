@@ -24,9 +24,9 @@ class Pump:
         self._executor = executor
         self._guard = guard
 
-    def turn(self) -> None:
-        """Handle at most one event."""
-        self._executor.spin_once(timeout_sec=LONGEST_WAIT_S)
+    def turn(self, seconds: float = LONGEST_WAIT_S) -> None:
+        """Handle at most one event; wait no longer than this for it [s]."""
+        self._executor.spin_once(timeout_sec=min(seconds, LONGEST_WAIT_S))
         self._guard()
 
     def until(self, condition: Callable[[], object], seconds: float) -> bool:

@@ -2,14 +2,21 @@
 """`srnn replay`: what a recorded run has decided, decided again."""
 
 import argparse
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+import math
+import os
 from pathlib import Path
+import signal
 import sys
 from typing import Any
 
 import numpy as np
 
 from srnn_bringup.command_line import WRONG_USE
+from srnn_bringup.console import Console
+from srnn_bringup.environment import check_environment
+from srnn_bringup.errors import Interrupted
+from srnn_node.signals import StopRequest
 from srnn_planner.core import weights_file
 from srnn_planner.core.dissonance import SIGNALS
 from srnn_replay.counterfactual import Learnt, learn_again
@@ -17,6 +24,7 @@ from srnn_replay.errors import ReplayError
 from srnn_replay.replay import replay
 
 DIFFERENT = 1
+RATES = (0.01, 1000.0)
 
 
 def run_replay(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
@@ -43,6 +51,29 @@ def _check(bag: Path) -> int:
     speed = found.run_s / max(found.seconds, 1e-9)
     print(f'{found.run_s:.0f} s replayed in {found.seconds:.1f} s, {speed:.0f} times as fast')
     return 0 if found.identical else DIFFERENT
+
+
+def run_publish(bag: Path, topics: Sequence[str], rate: float) -> int:
+    """Put the messages of a bag back on the wire; return the exit code."""
+    from srnn_bringup.republish import LISTENERS_S, republisher
+    from srnn_bringup.session import session
+
+    console = Console(sys.stdout)
+
+    def guard() -> None:
+        if stop.name is not None:
+            raise Interrupted(stop.name)
+
+    with StopRequest() as stop, session('srnn_replay', guard) as (node, pump):
+        try:
+            publisher = republisher(node, bag, topics, rate)
+            if not pump.until(publisher.heard, LISTENERS_S if topics else 1.0):
+                console.note('not every topic has a listener')
+            seconds = publisher.run(pump)
+        except Interrupted as wish:
+            return 128 + signal.Signals[str(wish)]
+    console.note(f'published {publisher.published} messages in {seconds:.1f} s')
+    return 0
 
 
 def _learn(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
@@ -82,17 +113,42 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--save-weights', type=Path, metavar='FILE', help='weights that would have been learned'
     )
+    parser.add_argument(
+        '--publish', action='store_true',
+        help='put the messages back on the wire instead, with the time of the recording on /clock',
+    )
+    parser.add_argument(
+        '--topic', action='append', default=[], metavar='NAME',
+        help='with --publish: this topic only; repeatable (default: all)',
+    )
+    parser.add_argument(
+        '--rate', type=_rate, default=1.0, metavar='R',
+        help='with --publish: so many times as fast as recorded (default: %(default)s)',
+    )
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
     changes = dict(options.set)
+    if options.publish:
+        check_environment(os.environ)
+        return run_publish(options.bag, options.topic, options.rate)
     if options.signal is not None:
         changes['learning.signal'] = options.signal
     if options.save_weights is not None and not changes:
         print('srnn replay: --save-weights needs --signal or --set', file=sys.stderr)
         return WRONG_USE
     return run_replay(options.bag, changes, options.save_weights)
+
+
+def _rate(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not RATES[0] <= value <= RATES[1]:
+        raise argparse.ArgumentTypeError(f'{text!r}: must be a number from 0.01 to 1000')
+    return value
 
 
 def _setting(text: str) -> tuple[str, Any]:
