@@ -13,7 +13,7 @@ from rclpy.node import Node
 
 from srnn_bag import BagWriter, Message
 from srnn_bringup.sequence_gaps import SequenceGaps
-from srnn_msgs_py.qos import Qos
+from srnn_msgs_py.qos import MOTION, Qos
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import ARMS, TOPICS, Topic
@@ -124,7 +124,10 @@ class BagRecorder:
     def _listen(self, row: Topic) -> None:
         topic = self.node.resolve_topic_name(row.name)
         kind = message_type(row.type_name)
-        qos = profile(replace(row.qos, depth=HISTORY))
+        # Of what is sent hundreds of times a second its sender keeps one message: it could
+        # hardly send another again, and to acknowledge each would cost both sides.
+        acknowledged = row.qos.reliable and row.qos != MOTION
+        qos = profile(replace(row.qos, depth=HISTORY, reliable=acknowledged))
         subscription = self.node.create_subscription(kind, row.name, _never, qos, raw=True)
         # The numbers of several senders cannot be told apart.
         one = len(row.publishers) == 1 or row.publishers == ARMS
