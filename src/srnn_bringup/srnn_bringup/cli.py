@@ -10,6 +10,7 @@ import sys
 from srnn_access import AccessError
 from srnn_bag import BagError
 from srnn_bringup.arms import ARMS
+from srnn_bringup.belief_command import add_belief_actions
 from srnn_bringup.command_line import WRONG_USE, Parser
 from srnn_bringup.config import FRI, SIMULATED, Choices, Configuration, load
 from srnn_bringup.environment import check_environment
@@ -84,6 +85,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('resume', 'Have a paused graph go on.'),
             ('record', 'Record what a running graph says, until Ctrl-C.'),
             ('replay', 'Decide again what a recorded run has decided, and compare bit for bit.'),
+            ('belief', 'What a run has learned: look at it, undo it, put it together.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
             ('key', 'Make the key by which the nodes know each other.'),
             ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
@@ -112,6 +114,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     commands['doctor'].set_defaults(run=_doctor)
     for command, metavar, add in (
         ('experiment', 'EXPERIMENT', add_experiments),
+        ('belief', 'ACTION', add_belief_actions),
         ('key', 'ACTION', add_key_actions),
         ('keystore', 'ACTION', add_keystore_actions),
     ):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a bag tells of one graph, by topic, and the journals of its nodes."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 import itertools
 from typing import Any, Generic, TypeVar
@@ -74,22 +75,11 @@ class Recording:
 
     def message(self, name: str, message: Message) -> Any:
         """Return a message of a topic without the mark of its sender."""
-        row = topic(name)
-        kind = message_type(row.type_name)
-        msg = deserialize_message(message.data, kind)
-        if row.ownership is not None:
-            mark_carrier(kind).take(msg)
-        return msg
+        return unmarked(name, message)
 
     def decoded(self, name: str, convert: Callable[[Any], V]) -> 'list[Decoded[V]]':
         """Return what the messages of a topic say; those that say nothing are left out."""
-        values = []
-        for message in self.raw(name):
-            try:
-                values.append(Decoded(message, convert(self.message(name, message))))
-            except MessageError:
-                continue  # The node has not taken it either.
-        return values
+        return decode(name, self.raw(name), convert)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +88,28 @@ class Decoded(Generic[V]):
 
     message: Message
     value: V
+
+
+def unmarked(name: str, message: Message) -> Any:
+    """Return a message of a topic of the table without the mark of its sender."""
+    row = topic(name)
+    kind = message_type(row.type_name)
+    msg = deserialize_message(message.data, kind)
+    if row.ownership is not None:
+        mark_carrier(kind).take(msg)
+    return msg
+
+
+def decode(
+    name: str, messages: Iterable[Message], convert: Callable[[Any], V]
+) -> 'list[Decoded[V]]':
+    """Return what messages of a topic say; those that say nothing are left out."""
+    values = []
+    for message in messages:
+        # What is left out here the nodes have not taken either.
+        with suppress(MessageError):
+            values.append(Decoded(message, convert(unmarked(name, message))))
+    return values
 
 
 def prefixes(bag: Bag) -> list[str]:

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`srnn belief`: what a run has learned, version by version; undone, and put together."""
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from srnn_bringup.errors import ChoiceError
+from srnn_bringup.options import new_file, picture_file
+from srnn_msgs_py.weights import WeightsUpdate
+from srnn_planner.core import belief, weights_file
+from srnn_planner.core.synaptic_change import input_change, output_change
+
+if TYPE_CHECKING:
+    from srnn_bringup.belief_source import Belief, Version
+    from srnn_bringup.command_line import Parser
+
+SOURCE = 'bag or weight file; @N behind a bag for version N (default: the newest)'
+HEADING = ('version', 'after', 'synapses', 'largest', 'where [m]')
+
+
+def add_belief_actions(table: 'argparse._SubParsersAction[Parser]') -> 'dict[str, Parser]':
+    """Add the actions to the sub-parsers `table`; return their parsers by name."""
+    actions: dict[str, Parser] = {}
+
+    def add(name: str, text: str, run: Callable[[argparse.Namespace], int]) -> 'Parser':
+        actions[name] = table.add_parser(name, help=text, description=text, allow_abbrev=False)
+        actions[name].set_defaults(run=run)
+        return actions[name]
+
+    parser = add('list', 'Every version in a bag, and what it has changed.', _list)
+    parser.add_argument('source', metavar='SOURCE', help=SOURCE)
+    parser = add('show', 'Draw what was learned since the prior.', _show)
+    parser.add_argument('source', metavar='SOURCE', help=SOURCE)
+    parser.add_argument('picture', type=picture_file, metavar='PICTURE', help='file to write')
+    parser = add('diff', 'Tell how one version differs from another.', _diff)
+    parser.add_argument('one', metavar='SOURCE', help=SOURCE)
+    parser.add_argument('other', metavar='OTHER', help=SOURCE)
+    parser.add_argument('--picture', type=picture_file, metavar='FILE', help='file to write')
+    parser = add('revert', 'Undo one update; what came later stays.', _revert)
+    parser.add_argument('source', metavar='BAG@N', help='the update that led to version N')
+    parser.add_argument('weights', type=new_file, metavar='FILE', help='weights to write')
+    parser = add('merge', 'Put together what two runs have learned.', _merge)
+    parser.add_argument('one', metavar='SOURCE', help=SOURCE)
+    parser.add_argument('other', metavar='OTHER', help=SOURCE)
+    parser.add_argument('weights', type=new_file, metavar='FILE', help='weights to write')
+    return actions
+
+
+def _list(options: argparse.Namespace) -> int:
+    from srnn_bringup.belief_source import read
+
+    source, _ = read(options.source)
+    began = source.versions[0].shared_ns
+    print(_row(HEADING))
+    for version in source.versions:
+        found = belief.change(
+            source.before(version).weights.matrix, version.weights.matrix, source.metres
+        )
+        after = f'{1e-9 * (version.shared_ns - began):.1f} s' if version.shared_ns else '-'
+        print(_row((str(version.weights.version), after, *_words(found))))
+    return 0
+
+
+def _show(options: argparse.Namespace) -> int:
+    from srnn_bringup.belief_source import Version, read
+
+    source, version = read(options.source)
+    prior = Version(WeightsUpdate(0, 0, source.neurons.prior_weights))
+    title = f'version {version.weights.version} against the prior'
+    _draw(source, prior, version, title, options.picture)
+    return 0
+
+
+def _diff(options: argparse.Namespace) -> int:
+    from srnn_bringup.belief_source import read
+
+    (source, one), (_, other) = read(options.one), read(options.other)
+    found = belief.change(one.weights.matrix, other.weights.matrix, source.metres)
+    print(_row(HEADING[2:]))
+    print(_row(_words(found)))
+    if options.picture is not None:
+        _draw(source, one, other, f'{options.other} against {options.one}', options.picture)
+    return 0
+
+
+def _revert(options: argparse.Namespace) -> int:
+    from srnn_bringup.belief_source import AT, read
+
+    source, version = read(options.source)
+    if AT not in options.source or len(source.versions) < 2:
+        raise ChoiceError(f'{options.source}: name the update to undo as BAG{AT}N')
+    newest = source.versions[-1]
+    matrix = belief.undone(
+        newest.weights.matrix, source.before(version).weights.matrix, version.weights.matrix
+    )
+    _save(options.weights, newest.weights.version + 1, matrix)
+    return 0
+
+
+def _merge(options: argparse.Namespace) -> int:
+    from srnn_bringup.belief_source import read
+
+    (source, one), (_, other) = read(options.one), read(options.other)
+    matrix = belief.merged(
+        source.neurons.prior_weights, one.weights.matrix, other.weights.matrix
+    )
+    _save(options.weights, max(one.weights.version, other.weights.version) + 1, matrix)
+    return 0
+
+
+def _save(path: Path, version: int, matrix: belief.Weights) -> None:
+    weights_file.save(path, WeightsUpdate(version, 0, matrix))
+    print(f'{path}: version {version}; start with `srnn up --weights {path}`')
+
+
+def _draw(source: 'Belief', before: 'Version', after: 'Version', title: str, path: Path) -> None:
+    from matplotlib.figure import Figure
+
+    from srnn_bringup.plots.plane import draw_change
+    from srnn_bringup.plots.style import DPI, styled
+
+    matrices = after.weights.matrix, before.weights.matrix
+    with styled():
+        figure = Figure(figsize=(6.4, 5.4), dpi=DPI, layout='constrained')
+        axes = figure.add_subplot()
+        image = draw_change(
+            axes, source.metres, input_change(*matrices), output_change(*matrices)
+        )
+        figure.colorbar(image, ax=axes, label='average change of synaptic input')
+        axes.set_title(title, fontsize=11)
+        axes.set_aspect('equal')
+        figure.savefig(path)
+    print(f'picture: {path}')
+
+
+def _words(found: belief.Change) -> tuple[str, str, str]:
+    where = ', '.join(f'{x:.3f}' for x in found.centre) if found.synapses else '-'
+    return str(found.synapses), f'{found.largest:+.3f}', where
+
+
+def _row(cells: tuple[str, ...]) -> str:
+    return '  '.join(cell.rjust(9) for cell in cells)
