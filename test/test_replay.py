@@ -158,6 +158,21 @@ def test_a_bag_of_another_version_is_refused(eventful, changed):
         replay(bag)
 
 
+def test_a_bag_without_attachments_is_replayed_by_whoever_knows_the_run(eventful, tmp_path):
+    """As one of `ros2 bag record`: topics, and nothing else."""
+    bag = open_bag(eventful)
+    with BagWriter(tmp_path / 'bare') as writer:
+        for topic, type_name in bag.topics.items():
+            writer.add_topic(topic, type_name, EVENT)
+        for topic, received_ns, sent_ns, sequence, data in bag.messages():
+            writer.write(topic, data, received_ns, sent_ns, sequence)
+    with pytest.raises(NotReplayableError, match='say by --scene how the graph was started'):
+        replay(tmp_path / 'bare')
+    scene = ['--scene', str(eventful.parent / 'wall.yaml'), '--seed', '2']
+    assert cli.main(['replay', str(tmp_path / 'bare'), *scene]) == 0
+    assert cli.main(['replay', str(tmp_path / 'bare'), *scene[:3], '3']) == 1
+
+
 def test_the_same_experience_with_the_same_parameters_gives_the_same_weights(tmp_path):
     (tmp_path / 'wall.yaml').write_text(SCENE)
     arguments = ['--scene', str(tmp_path / 'wall.yaml'), '--segments', '6', '--seed', '2']

@@ -8,27 +8,41 @@ import os
 from pathlib import Path
 import signal
 import sys
-from typing import Any
+import tempfile
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from srnn_bringup.arms import ARMS
 from srnn_bringup.command_line import WRONG_USE
+from srnn_bringup.config import SIMULATED, Choices, load
 from srnn_bringup.console import Console
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import Interrupted
+from srnn_bringup.graph import describe, write_parameters
+from srnn_bringup.options import add_network, add_seed
 from srnn_node.signals import StopRequest
 from srnn_planner.core import weights_file
 from srnn_planner.core.dissonance import SIGNALS
-from srnn_replay.counterfactual import Learnt, learn_again
 from srnn_replay.errors import ReplayError
-from srnn_replay.replay import replay
+
+if TYPE_CHECKING:
+    from srnn_replay.counterfactual import Learnt
 
 DIFFERENT = 1
 RATES = (0.01, 1000.0)
 
 
-def run_replay(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
+def run_replay(
+    bag: Path, changes: Mapping[str, Any], save: Path | None, told: Mapping[str, bytes]
+) -> int:
     """Replay a bag, or learn from it again with other parameters.
+
+    Args:
+        bag: what to replay.
+        changes: other parameters of the model, by dotted name; none to replay.
+        save: where to write the weights that other parameters would have led to.
+        told: what the bag does not say of how the graph was started, see `RunOrigin`.
 
     Returns:
         Exit code: 0 if all decisions are identical, 1 if one differs, 2 if they cannot be
@@ -36,14 +50,16 @@ def run_replay(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
 
     """
     try:
-        return _learn(bag, changes, save) if changes else _check(bag)
+        return _learn(bag, changes, save) if changes else _check(bag, told)
     except ReplayError as error:
         print(f'srnn replay: {error}', file=sys.stderr)
         return WRONG_USE
 
 
-def _check(bag: Path) -> int:
-    found = replay(bag)
+def _check(bag: Path, told: Mapping[str, bytes]) -> int:
+    from srnn_replay.replay import replay
+
+    found = replay(bag, told)
     for verdict in found.verdicts:
         print(verdict.words())
     if found.note:
@@ -77,6 +93,8 @@ def run_publish(bag: Path, topics: Sequence[str], rate: float) -> int:
 
 
 def _learn(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
+    from srnn_replay.counterfactual import learn_again
+
     was, would = learn_again(bag, {}), learn_again(bag, changes)
     print(f'as recorded: {_words(was)}')
     told = ', '.join(f'{name} = {value}' for name, value in changes.items())
@@ -90,7 +108,7 @@ def _learn(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
     return 0
 
 
-def _words(learnt: Learnt) -> str:
+def _words(learnt: 'Learnt') -> str:
     numbers = ', '.join(map(str, learnt.updates))
     after = f' (after segments {numbers})' if numbers else ''
     return (
@@ -112,6 +130,15 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         '--save-weights', type=Path, metavar='FILE', help='weights that would have been learned'
+    )
+    parser.add_argument(
+        '--scene', metavar='SCENE',
+        help='scene of a bag that does not tell: `ros2 bag record` attaches nothing',
+    )
+    add_network(parser)
+    add_seed(parser, 'with --scene: seed of the run')
+    parser.add_argument(
+        '--arm', choices=tuple(ARMS), default=SIMULATED, help='with --scene: arm of the run'
     )
     parser.add_argument(
         '--publish', action='store_true',
@@ -138,7 +165,22 @@ def _run(options: argparse.Namespace) -> int:
     if options.save_weights is not None and not changes:
         print('srnn replay: --save-weights needs --signal or --set', file=sys.stderr)
         return WRONG_USE
-    return run_replay(options.bag, changes, options.save_weights)
+    told = {} if options.scene is None else _told(options)
+    return run_replay(options.bag, changes, options.save_weights, told)
+
+
+def _told(options: argparse.Namespace) -> dict[str, bytes]:
+    """Return the files that a bag of such a graph would have attached."""
+    from srnn_bringup.bag_attachments import of_run
+
+    configuration = load(
+        Choices(
+            arm=options.arm, scene=options.scene, network=options.network, seed=options.seed
+        )
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        files = write_parameters(describe(configuration), Path(folder))
+        return {file.name: file.data for file in of_run(configuration, files)}
 
 
 def _rate(text: str) -> float:

@@ -2,7 +2,7 @@
 """What the nodes of a recorded run were told, out of the files in the bag."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 import json
 from pathlib import Path
 import tempfile
@@ -30,9 +30,16 @@ NUMBERS = ('code', 'numpy', 'numba', 'llvmlite', 'mujoco')
 
 @dataclass(frozen=True)
 class RunOrigin:
-    """The beginnings of a run, as far as its bag tells them."""
+    """The beginnings of a run, as its bag tells them, or somebody who knows.
+
+    Attributes:
+        bag: the recording.
+        told: files that the bag would have attached, had `srnn` recorded it, by name.
+
+    """
 
     bag: Bag
+    told: Mapping[str, bytes] = field(default_factory=dict)
 
     def check_version(self) -> str:
         """Return what may make the last bit of a number another one here, in words.
@@ -41,6 +48,8 @@ class RunOrigin:
             OtherVersionError: other code or other libraries have made the decisions.
 
         """
+        if RUN not in self.bag.attachments:
+            return 'recorded by an unknown version'
         then, now = self._run().get('versions', {}), code_version()
         other = [name for name in NUMBERS if then.get(name) != now[name]]
         if other:
@@ -89,18 +98,19 @@ class RunOrigin:
         try:
             told = _mapping(self._file(name), where)['/**']['ros__parameters']
             # Every node also has parameters that decide nothing, for example how it starts.
-            known = {field.name for field in fields(cls)}  # type: ignore[arg-type]
+            known = {f.name for f in fields(cls)}  # type: ignore[arg-type]
             return build(cls, {key: told[key] for key in told if key in known}, where)
         except (ConfigError, KeyError, TypeError) as error:
             raise NotReplayableError(f'{where}: {error}') from error
 
     def _file(self, name: str) -> bytes:
-        try:
-            return self.bag.attachments[name]
-        except KeyError:
+        content = self.bag.attachments.get(name, self.told.get(name))
+        if content is None:
             raise NotReplayableError(
-                f'{self.bag.path}: has no {name} attached; record with `srnn record` or --record'
-            ) from None
+                f'{self.bag.path}: has no {name} attached: record with `srnn record` or --record, '
+                'or say by --scene how the graph was started'
+            )
+        return content
 
 
 def _mapping(content: bytes, where: str) -> Mapping[str, Any]:

@@ -66,8 +66,12 @@ class Replay:
         return all(verdict.identical for verdict in self.verdicts)
 
 
-def replay(path: Path) -> Replay:
+def replay(path: Path, told: Mapping[str, bytes] | None = None) -> Replay:
     """Make all decisions of a recorded run again.
+
+    Args:
+        path: a bag.
+        told: see `RunOrigin`; None for nothing.
 
     Raises:
         BagError: there is no such bag, or it is damaged.
@@ -79,7 +83,7 @@ def replay(path: Path) -> Replay:
     bag = open_bag(path)
     note = RunOrigin(bag).check_version()
     tasks = [
-        (path, node, prefix)
+        (path, node, prefix, told or {})
         for node in KINDS for prefix in prefixes(bag)
         if f'{prefix}{node}/journal' in bag.topics
     ]  # fmt: skip
@@ -89,9 +93,9 @@ def replay(path: Path) -> Replay:
     return Replay(verdicts, _span_s(bag), time.perf_counter() - began, note)
 
 
-def _verdict(path: Path, node: str, prefix: str) -> Verdict:
+def _verdict(path: Path, node: str, prefix: str, told: Mapping[str, bytes]) -> Verdict:
     bag, kind = open_bag(path), KINDS[node]
-    return kind.begin(Recording(bag, node, kind.topics, prefix), RunOrigin(bag)).run()
+    return kind.begin(Recording(bag, node, kind.topics, prefix), RunOrigin(bag, told)).run()
 
 
 def _span_s(bag: Bag) -> float:
