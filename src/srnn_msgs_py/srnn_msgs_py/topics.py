@@ -119,6 +119,10 @@ TOPICS = (
         'belief', 'nav_msgs/msg/OccupancyGrid', LATCHED, ('adapter',), ('view',),
         'map of the learned inhibition for display',
     ),
+    Topic(
+        'belief_markers', 'visualization_msgs/msg/MarkerArray', LATCHED, ('adapter',), ('view',),
+        'the same as columns',
+    ),
     *(
         Topic(
             f'{node}/journal', 'std_msgs/msg/Int64MultiArray', HISTORY, (node,), ('view',),

@@ -14,7 +14,15 @@ from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.refusal import WeightsRefusal
-from srnn_msgs_py.ros import belief, dissonance, executed, refusal, segment, weights
+from srnn_msgs_py.ros import (
+    belief,
+    belief_markers,
+    dissonance,
+    executed,
+    refusal,
+    segment,
+    weights,
+)
 from srnn_msgs_py.ros import path as path_msg
 from srnn_msgs_py.segment import ExecutedPath, Segment
 from srnn_msgs_py.weights import WeightsUpdate
@@ -74,6 +82,7 @@ class AdapterNode(WorkspaceNode):
         self._weights = self.advertise('weights')
         self._dissonance = self.advertise('dissonance')
         self._belief = self.advertise('belief')
+        self._columns = self.advertise('belief_markers')
         self._segment_path = self.advertise('segment_path')
         self._executed_path = self.advertise('executed_path')
         self.listen('segment', segment.from_msg, self._on_segment)
@@ -192,6 +201,7 @@ class AdapterNode(WorkspaceNode):
             inhibition = np.maximum(-change, 0.0).reshape(side, side)
             extent = self._settings.model.workspace.half_extent
             self._belief.publish(belief.to_msg(inhibition, extent, self._now()))
+            self._columns.publish(belief_markers.to_msg(inhibition, extent, self._now()))
 
     def _now(self) -> int:
         return int(self.get_clock().now().nanoseconds)
