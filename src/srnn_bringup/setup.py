@@ -30,7 +30,10 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
-        (f'share/{PACKAGE}/config', files(CONFIG, '*.yaml') + files(CONFIG, '*.xml')),
+        (
+            f'share/{PACKAGE}/config',
+            [f for kind in ('yaml', 'xml', 'rviz', 'json') for f in files(CONFIG, f'*.{kind}')],
+        ),
         (f'share/{PACKAGE}/config/scenes', files(CONFIG / 'scenes', '*.yaml')),
         (f'share/{PACKAGE}/launch', files(HERE / 'launch', '*.launch.py')),
     ],
