@@ -5,6 +5,9 @@ from collections.abc import Callable, Iterator
 import itertools
 import json
 from pathlib import Path
+import re
+import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -156,6 +159,43 @@ def test_a_bag_of_another_version_is_refused(eventful, changed):
     bag = changed(lambda m: m, {RUN: json.dumps(run).encode()})
     with pytest.raises(OtherVersionError, match=r'commit abc\): code 0123456789abcdef, here '):
         replay(bag)
+
+
+BROWSER = shutil.which('chromium') or shutil.which('google-chrome')
+QUIET = (
+    '--headless', '--no-sandbox', '--disable-gpu', '--disable-background-networking',
+    '--disable-component-update', '--disable-sync', '--no-first-run', '--enable-logging=stderr',
+    '--virtual-time-budget=3000',
+)  # fmt: skip
+
+
+def test_the_run_becomes_one_page(eventful, tmp_path):
+    assert cli.main(['report', str(eventful), '--out', str(tmp_path / 'run.html')]) == 0
+    text = (tmp_path / 'run.html').read_text()
+    bag = open_bag(eventful)
+    done = sum(1 for _ in bag.messages({'/executed'}))
+    assert f'<b>{done}</b><span>segments</span>' in text
+    assert text.count('<rect ') > done
+    for words in ('touch: ', 'FAULT: ', 'planning a segment', 'scene wall'):
+        assert words in text
+    assert 'http' not in text.replace('http://www.w3.org/2000/svg', '')
+
+
+@pytest.mark.skipif(BROWSER is None, reason='no Chromium or Chrome on this machine')
+def test_the_page_plays_in_a_browser_without_an_error(eventful, tmp_path):
+    page = tmp_path / 'run.html'
+    assert cli.main(['report', str(eventful), '--out', str(page)]) == 0
+    text = page.read_text().replace(
+        '</body>', "<script>document.getElementById('play').click()</script></body>"
+    )
+    page.write_text(text)
+    done = subprocess.run(
+        [BROWSER, *QUIET, f'--user-data-dir={tmp_path}/profile', '--dump-dom', page.as_uri()],
+        capture_output=True, text=True, timeout=60,
+    )  # fmt: skip
+    assert 'CONSOLE' not in done.stderr, done.stderr
+    (clock,) = re.findall(r'id="clock">([^<]*)<', done.stdout)
+    assert re.fullmatch(r'\d+\.\d s of \d+\.\d s', clock)
 
 
 def test_a_bag_without_attachments_is_replayed_by_whoever_knows_the_run(eventful, tmp_path):

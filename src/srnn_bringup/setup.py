@@ -26,7 +26,7 @@ setup(
     maintainer_email='maintainers@example.org',
     python_requires='>=3.11',
     packages=find_packages(exclude=['test']),
-    package_data={PACKAGE: ['py.typed']},
+    package_data={PACKAGE: ['py.typed', 'page/*.css', 'page/*.js']},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),

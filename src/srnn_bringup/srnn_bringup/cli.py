@@ -32,6 +32,7 @@ from srnn_bringup.options import (
     whole,
 )
 from srnn_bringup.replay_command import add_replay
+from srnn_bringup.report_command import add_report
 from srnn_config import ConfigError
 from srnn_experiments.errors import ExperimentError
 from srnn_planner.core.errors import SrnnError
@@ -85,6 +86,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('resume', 'Have a paused graph go on.'),
             ('record', 'Record what a running graph says, until Ctrl-C.'),
             ('replay', 'Decide again what a recorded run has decided, and compare bit for bit.'),
+            ('report', 'A recorded run, or the results of an experiment, as one web page.'),
             ('belief', 'What a run has learned: look at it, undo it, put it together.'),
             ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
             ('key', 'Make the key by which the nodes know each other.'),
@@ -107,6 +109,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     )
     commands['record'].set_defaults(run=_record)
     add_replay(commands['replay'])
+    add_report(commands['report'])
     for name in ('up', 'pause', 'resume', 'record'):
         add_peers(commands[name])
     for name in ('demo', 'up', 'pause', 'resume', 'record'):

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A recorded run as a report needs it: segments, weights, tip, events and times."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+import json
+from pathlib import Path
+import tempfile
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_bag import Bag, Message, open_bag
+from srnn_bag.attached import RUN, SCENE
+from srnn_bringup.config import Choices, Configuration, load
+from srnn_bringup.config_files import NetworkFile
+from srnn_bringup.page.events import Event, of_health, of_log, of_result
+from srnn_bringup.recorder import Recorder, start_recording
+from srnn_msgs_py.ros import (
+    diagnostics,
+    dissonance,
+    executed,
+    pose,
+    result,
+    segment,
+    weights,
+    wrench,
+)
+from srnn_msgs_py.weights import WeightsUpdate
+from srnn_replay.origin import RunOrigin
+from srnn_replay.recording import decode
+
+LOG = '/rosout'
+TRUTH = 'contact_truth'
+
+
+@dataclass(frozen=True, eq=False)
+class BagRun:
+    """One graph of a bag.
+
+    Attributes:
+        bag: where it comes from.
+        configuration: scene, network and seed of the run.
+        recorder: its segments and figures.
+        versions: weights, in the order in which they were shared.
+        tip: (n, 3) time since the beginning [s] and measured tip [m].
+        sent: when each segment was sent since the beginning [s], by its identity.
+        events: what else happened, in order.
+        about: who recorded what, as attached to the bag.
+        seconds: how long it took [s].
+
+    """
+
+    bag: Bag
+    configuration: Configuration
+    recorder: Recorder
+    versions: tuple[tuple[float, WeightsUpdate], ...]
+    tip: NDArray[np.float64]
+    sent: dict[int, float]
+    events: tuple[Event, ...]
+    about: dict[str, Any]
+    seconds: float
+
+
+def read_run(path: Path) -> BagRun:
+    """Read a recorded run.
+
+    Raises:
+        BagError: there is no such bag, or it is damaged.
+        NotReplayableError: nothing in it tells how the graph was started.
+
+    """
+    bag = open_bag(path)
+    configuration = _configuration(bag)
+    recorder = start_recording(configuration)
+    reader = _Reader(bag)
+    began_ns, ended_ns = reader.span
+
+    def since(ns: int) -> float:
+        return 1e-9 * (ns - began_ns)
+
+    events: list[Event] = []
+    heard: list[tuple[int, Callable[[], None]]] = []
+    for name, convert, take in (
+        ('segment', segment.from_msg, recorder.segment),
+        ('executed', executed.from_msg, recorder.executed),
+        ('segment_result', result.from_msg, recorder.result),
+        ('dissonance', dissonance.from_msg, recorder.dissonance),
+        ('weights', weights.from_msg, recorder.weights),
+        (TRUTH, _force, recorder.force),
+        ('/diagnostics', diagnostics.from_msg, recorder.health),
+    ):
+        for message, value in reader.values(name, convert):
+            heard.append((message.received_ns, lambda t=take, v=value: t(v)))  # type: ignore[misc]
+            if name == 'segment_result':
+                events += of_result(since(message.received_ns), value)
+            elif name == '/diagnostics':
+                events += of_health(since(message.received_ns), value)
+    for _, act in sorted(heard, key=lambda one: one[0]):
+        act()
+    events += [e for m in bag.messages({LOG}) for e in of_log(since(m.received_ns), m.data)]
+    tip = [(since(m.received_ns), *v.position[:2])
+           for m, v in reader.values('current_pose', pose.from_msg)]  # fmt: skip
+    return BagRun(
+        bag=bag,
+        configuration=configuration,
+        recorder=recorder,
+        versions=tuple(
+            (since(m.received_ns), v) for m, v in reader.values('weights', weights.from_msg)
+        ),
+        tip=np.array(tip).reshape(-1, 3),
+        sent={v.stamp_ns: since(m.received_ns)
+              for m, v in reader.values('segment', segment.from_msg)},
+        events=_without_repeats(sorted(events, key=lambda event: event.time)),
+        about=json.loads(bag.attachments[RUN]),
+        seconds=since(ended_ns),
+    )  # fmt: skip
+
+
+class _Reader:
+    """Finds topics of the table in a bag, whatever namespace they are in."""
+
+    def __init__(self, bag: Bag) -> None:
+        self._bag = bag
+        names = {name for name in bag.topics if name.rpartition('/')[2] == 'segment'}
+        self._prefix = min(names, default='/segment')[: -len('segment')]
+        moved = {self._full('segment'), self._full('executed')}
+        stamps = [message.received_ns for message in bag.messages(moved)]
+        self.span = (min(stamps, default=0), max(stamps, default=0))
+
+    def values(self, name: str, convert: Callable[[Any], Any]) -> list[tuple[Message, Any]]:
+        found = decode(name, self._bag.messages({self._full(name)}), convert)
+        return [(one.message, one.value) for one in found]
+
+    def _full(self, name: str) -> str:
+        return name if name.startswith('/') else f'{self._prefix}{name}'
+
+
+def _configuration(bag: Bag) -> Configuration:
+    """Return what the graph was told, as far as the bag has it."""
+    origin = RunOrigin(bag).planner()
+    adapter = RunOrigin(bag).adapter()
+    about = json.loads(bag.attachments[RUN])
+    with tempfile.TemporaryDirectory() as folder:
+        scene = Path(folder, SCENE)
+        scene.write_bytes(bag.attachments[SCENE])
+        here = load(Choices(scene=str(scene)))
+    network = NetworkFile(model=adapter.model, planning=origin.planning)
+    return replace(
+        here, scene=origin.scene, network=network, seed=origin.seed,
+        robot=about.get('arm', here.robot),
+    )  # fmt: skip
+
+
+def _without_repeats(events: list[Event]) -> tuple[Event, ...]:
+    """Return events without those that say again what their node has said last."""
+    last: dict[str, str] = {}
+    kept = []
+    for event in events:
+        if last.get(event.source) != event.text:
+            kept.append(event)
+        last[event.source] = event.text
+    return tuple(event for event in kept if event.text)
+
+
+def _force(msg: Any) -> float:
+    return float(np.linalg.norm(wrench.from_msg(msg).force))
