@@ -10,6 +10,7 @@ from types import TracebackType
 from typing import Any, NamedTuple, Self
 
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from srnn_bag import BagWriter, Message
 from srnn_bringup.sequence_gaps import SequenceGaps
@@ -152,9 +153,11 @@ def record(node: Node, directory: Path) -> BagRecorder:
 
     """
     writer = BagWriter(directory)
+    # It offers no service, which it would need rights for of its own.
     listener = Node(
         NODE, context=node.context, namespace=node.get_namespace(), enable_rosout=False,
         start_parameter_services=False,
+        parameter_overrides=[Parameter('start_type_description_service', value=False)],
     )  # fmt: skip
     recorder = BagRecorder(listener, writer)
     node.create_timer(POLL_S, recorder.poll)
