@@ -4,7 +4,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lwr_tracking.core.tick_watch import RECOVERED, TOLERATED, TickWatch
+from lwr_tracking.core.tick_watch import GLIDE, MANY, RECOVERED, SLOW, TOLERATED, TickWatch
 
 PERIOD = 0.004
 LATE, IN_TIME = 2.0 * PERIOD, 1.2 * PERIOD
@@ -45,3 +45,26 @@ def test_without_five_in_a_row_there_is_no_overload(late):
     seen = [watch.tick(LATE if value else IN_TIME) for value in late]
     assert any(seen) == five
     assert watch.late == sum(late)
+
+
+def test_where_many_are_late_the_arm_goes_slower_and_nowhere_else():
+    watch = TickWatch(PERIOD)
+    few = ([LATE] + [IN_TIME] * (RECOVERED // MANY - 1)) * 40
+    assert all(watch.tick(elapsed) is False and watch.pace == 1.0 for elapsed in few)
+    for _ in range(200):
+        watch.tick(LATE)
+        watch.tick(IN_TIME)
+    assert watch.pace == SLOW
+    for _ in range(200):
+        watch.tick(IN_TIME)
+    assert watch.pace == 1.0
+
+
+@given(st.lists(st.booleans(), max_size=400))
+def test_the_pace_glides_between_its_bounds(late):
+    watch, before = TickWatch(PERIOD), 1.0
+    for value in late:
+        watch.tick(LATE if value else IN_TIME)
+        assert SLOW <= watch.pace <= 1.0
+        assert abs(watch.pace - before) <= GLIDE + 1e-12
+        before = watch.pace

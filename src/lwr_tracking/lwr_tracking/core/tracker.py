@@ -233,9 +233,9 @@ class Tracker:
         return max(map(abs, distance)) > self._parameters.limits.joint_divergence
 
     def _advance(self, execution: Execution, now: float, dt: float, force: Array) -> None:
-        decision = decide(self.conditions)
+        decision, freedom = decide(self.conditions), self._law.freedom
         execution.reference.paused = decision.reaction >= Reaction.SOFT_STOP
-        execution.reference.pace = min(self._law.freedom.outward, self._law.freedom.dexterity)
+        execution.reference.pace = min(freedom.outward, freedom.dexterity, self._ticks.pace)
         stops_before = execution.reference.soft_stops
         self._finish(execution.advance(dt, self.tip))
         self.counters.soft_stops += execution.reference.soft_stops - stops_before
@@ -267,8 +267,8 @@ class Tracker:
 
     def _fault(self, condition: Condition, at: Array | None = None) -> None:
         self.counters.faults += condition not in self.conditions
-        reason = decide(condition).causes[0]
-        self._react(condition, ResultCode.FAULT, reason, {}, self.tip if at is None else at)
+        place = self.tip if at is None else at
+        self._react(condition, ResultCode.FAULT, decide(condition).causes[0], {}, place)
 
     def _distrust(self, condition: Condition) -> None:
         """Hold the command: a measurement that is not true must not move the arm."""
