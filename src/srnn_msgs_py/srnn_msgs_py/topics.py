@@ -116,6 +116,14 @@ TOPICS = (
         'way points and target for display',
     ),
     Topic(
+        'samples', 'std_msgs/msg/Float32MultiArray', SENSOR, ('planner',), ('view',),
+        'imagined movements behind a segment, those first that became it; if somebody listens',
+    ),
+    Topic(
+        'spikes', 'std_msgs/msg/UInt8MultiArray', SENSOR, ('planner',), ('view',),
+        'how many samples of each neuron spiked in each step; if somebody listens',
+    ),
+    Topic(
         'belief', 'nav_msgs/msg/OccupancyGrid', LATCHED, ('adapter',), ('view',),
         'map of the learned inhibition for display',
     ),

@@ -78,12 +78,14 @@ class Plan:
         trajectory: the segment, or None if no valid movement was found.
         samples: (S, T, d) decoded samples [units].
         kept: (S,) which of them were averaged.
+        spikes: (S, T, K) of the state neurons, zeros and ones.
 
     """
 
     trajectory: Trajectory | None
     samples: NDArray[np.float64]
     kept: NDArray[np.bool_]
+    spikes: NDArray[np.uint8]
 
 
 class SegmentPlanner:
@@ -149,22 +151,22 @@ class SegmentPlanner:
             # After a contact it is learning that shows the way out.
             self._fatigue.visit(position, request.target)
         goal = self._goal(request.target)
-        paths, valid = self._sample(position, goal.context)
+        paths, valid, spikes = self._sample(position, goal.context)
         kept = np.zeros(len(paths), dtype=bool)
         if valid.mean() < self.planning.sampling.valid_share:
-            return Plan(None, paths, kept)
+            return Plan(None, paths, kept, spikes)
         kept[valid] = select(
             paths[valid], self.planning.selection, partial(self._cost, request, goal)
         )
         average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
         extent = self.model.workspace.half_extent
         trajectory = segment_along(average, request, self.planning.trajectory, extent)
-        return Plan(trajectory, paths, kept)
+        return Plan(trajectory, paths, kept, spikes)
 
     def _sample(
         self, position: NDArray[np.float64], context: ContextPopulation
-    ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-        """Return decoded paths (S, T, d) from a position (d,) and which are valid (S,)."""
+    ) -> tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.uint8]]:
+        """Return decoded paths (S, T, d) from a position (d,), which are valid (S,), spikes."""
         network, sampling = self.model.network, self.planning.sampling
         start = self.neurons.responsibilities(position[None])[0]
         size = (sampling.samples, sampling.steps)
@@ -179,10 +181,10 @@ class SegmentPlanner:
             draws=self._take_draws(),
             context_uniforms=self._rng.random((*size, len(context.weights)), dtype=np.float32),
         )
-        _, activity = sample_activity(network, self.neurons.positions, given)
+        spikes, activity = sample_activity(network, self.neurons.positions, given)
         paths, valid = decode(activity, self._window)
         squared = (np.diff(paths, axis=1) ** 2).sum(axis=2).max(axis=1)
-        return paths, valid & (squared <= sampling.step_max**2)
+        return paths, valid & (squared <= sampling.step_max**2), spikes
 
     def prepare(self) -> None:
         """Draw the random numbers of the next plan ahead of time; changes no plan."""

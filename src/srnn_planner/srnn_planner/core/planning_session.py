@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from srnn_config.scene import Scene
 from srnn_msgs_py.dissonance import Dissonance
+from srnn_msgs_py.imagination import Imagination
 from srnn_msgs_py.result import SegmentResult
 from srnn_msgs_py.segment import ExecutedPath
 from srnn_msgs_py.waypoints import Waypoints
@@ -103,6 +104,15 @@ class PlanningSession:
 
         """
         self.sequencer.task = self._task(tour.points[:, : self._dimensions])
+
+    def imagination(self, stamp_ns: int) -> Imagination | None:
+        """Return what the last segment was chosen from; None before the first."""
+        plan = self.watched.last
+        if plan is None:
+            return None
+        spikes = np.minimum(plan.spikes.sum(axis=0, dtype=np.uint16), 255).astype(np.uint8)
+        metres = self._workspace.to_metres(plan.samples).astype(np.float32)
+        return Imagination(stamp_ns, metres, plan.kept, spikes)
 
     def _task(self, metres: NDArray[np.float64]) -> WaypointTask:
         return WaypointTask(self._workspace.to_units(metres), self._reach)

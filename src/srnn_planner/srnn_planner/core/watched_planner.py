@@ -4,7 +4,7 @@
 from srnn_msgs_py.refusal import WeightsRefusal
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core.model_watch import ModelWatch
-from srnn_planner.core.planner import PlanRequest, SegmentPlanner
+from srnn_planner.core.planner import Plan, PlanRequest, SegmentPlanner
 from srnn_planner.core.trajectory import Trajectory
 
 
@@ -15,6 +15,7 @@ class WatchedPlanner:
         planner: samples the segments.
         watch: knows which weights are good.
         refusal: what the adapter must be told; whoever tells it sets this to None.
+        last: the last plan, None before the first.
 
     """
 
@@ -23,6 +24,7 @@ class WatchedPlanner:
         self.planner = planner
         self.watch = ModelWatch(planner.weights, dead_after)
         self.refusal: WeightsRefusal | None = None
+        self.last: Plan | None = None
 
     def take(self, weights: WeightsUpdate) -> None:
         """Use new weights for the next segment, all or nothing.
@@ -38,7 +40,8 @@ class WatchedPlanner:
 
     def plan(self, request: PlanRequest) -> Trajectory | None:
         """Return the next segment, None if no valid movement was found."""
-        trajectory = self.planner.plan(request).trajectory
+        self.last = self.planner.plan(request)
+        trajectory = self.last.trajectory
         if trajectory is not None:
             self.refusal = self.watch.planned() or self.refusal
         elif self.watch.failed():

@@ -20,7 +20,9 @@ from srnn_msgs_py.ros import (
     pose,
     refusal,
     result,
+    samples,
     segment,
+    spikes,
     waypoints,
     weights,
 )
@@ -82,6 +84,8 @@ class PlannerNode(WorkspaceNode):
         self._segment = self.advertise('segment')
         self._refused = self.advertise('weights_refused')
         self._markers = self.advertise('markers')
+        self._samples = self.advertise('samples')
+        self._spikes = self.advertise('spikes')
         self.listen('current_pose', pose.from_msg, self._on_pose)
         self.listen('executed', executed.from_msg, self._on_executed)
         self.listen('segment_result', result.from_msg, self._on_result)
@@ -133,6 +137,7 @@ class PlannerNode(WorkspaceNode):
         self._tell()
         self.report_health()
         self._session.planner.prepare()
+        self._show_imagination()
 
     def health(self) -> Health:
         """Report counters and planning times."""
@@ -211,6 +216,14 @@ class PlannerNode(WorkspaceNode):
             self.refused_messages += 1
             self.get_logger().warning(str(error))
             return False
+
+    def _show_imagination(self) -> None:
+        """Tell what the segment was chosen from, if somebody looks on."""
+        listeners = self._samples.get_subscription_count() + self._spikes.get_subscription_count()
+        value = self._session.imagination(self._last_stamp) if listeners else None
+        if value is not None:
+            self._samples.publish(samples.to_msg(value))
+            self._spikes.publish(spikes.to_msg(value))
 
     def _show_waypoints(self) -> None:
         task = self._sequencer.task
