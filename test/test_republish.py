@@ -16,6 +16,7 @@ import pytest
 import rclpy
 from rclpy.experimental import EventsExecutor
 from rclpy.lifecycle import TransitionCallbackReturn
+from rclpy.node import Node
 from srnn_process import RUN_S, SCENE, Srnn
 
 from lwr_tracking import tracker_node
@@ -125,8 +126,10 @@ class RecordedClock:
 
 
 @pytest.fixture
-def tracker(bag, tmp_path, monkeypatch) -> Iterator[tuple[TrackerNode, RecordedClock]]:
-    """Return a tracker in this process, told what it was told in the run."""
+def tracker(
+    bag, tmp_path, monkeypatch
+) -> Iterator[tuple[TrackerNode, RecordedClock, Node, EventsExecutor]]:
+    """Return a tracker in this process, told what it was told in the run, and who feeds it."""
     clock = RecordedClock()
     monkeypatch.setattr(tracker_node, 'time', clock)
     file = tmp_path / 'tracker.yaml'
@@ -135,18 +138,23 @@ def tracker(bag, tmp_path, monkeypatch) -> Iterator[tuple[TrackerNode, RecordedC
     node = TrackerNode()
     monkeypatch.setattr(node, 'get_clock', clock.get_clock)
     assert node.trigger_configure() == node.trigger_activate() == SUCCESS
-    yield node, clock
+    feeder, executor = rclpy.create_node('feeder'), EventsExecutor()
+    executor.add_node(node)
+    executor.add_node(feeder)
+    yield node, clock, feeder, executor
+    executor.shutdown()
+    feeder.destroy_node()
     node.destroy_node()
     rclpy.shutdown()
 
 
 def test_a_tracker_that_is_fed_from_the_bag_gives_the_recorded_results(bag, tracker):
     """In recorded time: by the clock of this machine it would meet the arm elsewhere."""
-    node, clock = tracker
+    node, clock, feeder, executor = tracker
     names = ('segment', 'joint_states', 'external_torque/joint_states', 'segment_result')
     recording = Recording(open_bag(bag), 'tracker', names, '/')
     by_stamp = {n: {stamp_ns(m.data): m.data for m in recording.raw(n)} for n in names[:3]}
-    feeder, results = rclpy.create_node('feeder'), []
+    results = []
     out = {n: feeder.create_publisher(message_type(topic(n).type_name), n, profile(topic(n).qos))
            for n in names[:3]}  # fmt: skip
     row = topic('segment_result')
@@ -154,9 +162,6 @@ def test_a_tracker_that_is_fed_from_the_bag_gives_the_recorded_results(bag, trac
         message_type(row.type_name), row.name,
         lambda msg: results.append(result.from_msg(msg)), profile(replace(row.qos, depth=HISTORY)),
     )  # fmt: skip
-    executor = EventsExecutor()
-    executor.add_node(node)
-    executor.add_node(feeder)
 
     def until(condition):
         end = time.monotonic() + 10.0
@@ -186,8 +191,6 @@ def test_a_tracker_that_is_fed_from_the_bag_gives_the_recorded_results(bag, trac
     until(lambda: len(results) >= len(expected))
     assert ResultCode.BLOCKED in {r.code for r in expected}
     assert results == expected
-    executor.shutdown()
-    feeder.destroy_node()
 
 
 def offered(node: TrackerNode) -> int:
