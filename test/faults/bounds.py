@@ -10,9 +10,6 @@ from srnn_msgs_py.result import ResultCode
 OFF_PATH_MM = 5.0
 SPEED = 0.25
 
-LED_BACK = 0.3
-"""An arm that is not where the last one was is drawn to the path besides [m/s]."""
-
 VELOCITY = 0.15
 """Segments are up to 0.05 m/s faster than this where one joins the other [m/s]."""
 

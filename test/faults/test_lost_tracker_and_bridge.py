@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 import signal
 
-from bounds import LED_BACK, LOOSELY, VELOCITY, keeps_to_the_path, nearly_stands_still
+from bounds import LOOSELY, SPEED, VELOCITY, keeps_to_the_path, nearly_stands_still
 from motion import Motion
 import numpy as np
 import pytest
@@ -122,4 +122,4 @@ def test_an_arm_that_is_soon_back_elsewhere_is_not_led_where_the_last_one_was(le
                 assert watched.call(Trigger, 'tracker/reset').success
             watched.first_executed(watched.now())
             entry.speed = Motion(watched, began).speed
-            assert entry.speed <= LED_BACK
+            assert entry.speed <= SPEED
