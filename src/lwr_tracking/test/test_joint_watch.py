@@ -59,6 +59,17 @@ def test_a_joint_may_move_twice_as_fast_as_it_can(joint, missed, share):
     assert jumped == (share > 2.0) or share == pytest.approx(2.0)
 
 
+@pytest.mark.parametrize(('gap', 'farthest'), [(24, 0.0768), (26, 0.03), (250, 0.03)])
+def test_an_arm_without_commands_does_not_go_far(gap, farthest):
+    slowest = np.argmin(VELOCITY_MAX)
+    for share, condition in ((0.99, Condition.NONE), (1.01, Condition.JUMPED)):
+        watch = JointWatch(WatchParameters(), 0.004)
+        watch.judge(sample(1), HOME)
+        position = HOME.copy()
+        position[slowest] -= share * farthest
+        assert watch.judge(sample(1 + gap, position), HOME) is condition
+
+
 @pytest.mark.parametrize('stamp', [-36_000, 900_000])
 def test_a_clock_that_is_set_excuses_no_more_than_the_longest_gap(watch, stamp):
     near = HOME + 0.9 * VELOCITY_MAX * 0.004

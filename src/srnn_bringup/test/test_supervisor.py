@@ -21,15 +21,15 @@ OBEDIENT = """
         print(f'{signal.Signals(number).name} {time.monotonic_ns()}', flush=True)
         sys.exit(0)
     signal.signal(signal.SIGINT, leave)
-    print('ready', flush=True)
+    sys.stdout.write('ready\\n')
     while True:
         time.sleep(0.01)
 """
 DEAF = """
-    import signal, time
+    import signal, sys, time
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda number, frame: print(signal.Signals(number).name, flush=True))
-    print('ready', flush=True)
+    sys.stdout.write('ready\\n')
     while True:
         time.sleep(0.01)
 """

@@ -11,10 +11,14 @@ from numpy.typing import NDArray
 from lwr_description import DOF, POSITION_MAX, VELOCITY_MAX
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.core.parameters import WatchParameters
+from lwr_tracking.core.tick_watch import AT_REST_AFTER
 from srnn_msgs_py.joints import JointSample
 
 _JUMP = 2.0
 """No joint can have moved farther than this many times its speed limit allows."""
+
+_COASTED = 0.03
+"""No joint goes on farther than this once commands have ceased [rad]."""
 
 
 class JointWatch:
@@ -85,6 +89,9 @@ class JointWatch:
     def _too_far(self, moved: list[float], stamp_ns: int) -> bool:
         # Bounded on both sides: the system clock, from which stamps are, may be set.
         elapsed = max(1e-9 * (stamp_ns - self._stamp_ns), self._period)
+        if elapsed > AT_REST_AFTER:
+            # Nobody has moved it meanwhile: elsewhere it is another arm.
+            return max(moved) > _COASTED
         seconds = min(elapsed, self._parameters.gap)
         return _exceeds(moved, [speed * seconds for speed in self._reach])
 
