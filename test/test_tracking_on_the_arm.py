@@ -128,6 +128,27 @@ def test_a_silent_planner_leaves_the_arm_at_rest_on_its_path():
     assert np.array(arm.tips)[:, 0].max() <= moving.positions[-1, 0] + 2e-3
 
 
+@pytest.mark.parametrize('seconds', [0.03, 0.07, 0.09, 0.12, 0.3])
+def test_an_arm_left_without_commands_for_a_moment_does_not_hurry_afterwards(seconds):
+    arm, speed, cycles = rig(), 0.2, 5
+    ends = (-0.2, 0.0), (0.2, 0.0)
+    arm.execute([line((0.0, 0.0), ends[0], speed)])
+    for number in range(1, 7):
+        since = len(arm.tips)
+        path = line(ends[number % 2 - 1], ends[number % 2], speed, number * MS + MS)
+        assert arm.tracker.offer(path, 0.0) is None
+        arm.run(0.3 + 0.2 * number)
+        for _ in range(round(seconds / PERIOD)):
+            arm.arm.step(PHYSICS_PER_TICK)
+            arm.tips.append(arm.arm.tip_truth)
+        while arm.tracker.reference.running:
+            arm.tick()
+        tips = np.array(arm.tips[since:])
+        moved = np.linalg.norm(tips[cycles:] - tips[:-cycles], axis=1)
+        assert moved.max() / (PERIOD * cycles) < 1.06 * speed
+    assert {entry.result.code for entry in arm.finished} == {ResultCode.DONE}
+
+
 def test_an_arm_that_does_not_start_in_the_plane_is_brought_there_gently():
     arm = rig()
     scene_height = arm.tracker.tip[2]

@@ -4,7 +4,15 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lwr_tracking.core.tick_watch import GLIDE, MANY, RECOVERED, SLOW, TOLERATED, TickWatch
+from lwr_tracking.core.tick_watch import (
+    GLIDE,
+    HELD_AFTER,
+    MANY,
+    RECOVERED,
+    SLOW,
+    TOLERATED,
+    TickWatch,
+)
 
 PERIOD = 0.004
 LATE, IN_TIME = 2.0 * PERIOD, 1.2 * PERIOD
@@ -68,3 +76,14 @@ def test_the_pace_glides_between_its_bounds(late):
         assert SLOW <= watch.pace <= 1.0
         assert abs(watch.pace - before) <= GLIDE + 1e-12
         before = watch.pace
+
+
+def test_an_arm_that_was_held_sets_off_slowly():
+    watch = TickWatch(PERIOD)
+    watch.tick(HELD_AFTER)
+    assert watch.pace == 1.0
+    watch.tick(1.01 * HELD_AFTER)
+    assert watch.pace == SLOW
+    paces = [watch.pace for _ in range(round((1.0 - SLOW) / GLIDE)) if not watch.tick(IN_TIME)]
+    assert paces == sorted(paces)
+    assert SLOW < paces[0] < paces[-1] == 1.0

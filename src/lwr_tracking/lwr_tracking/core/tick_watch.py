@@ -14,10 +14,15 @@ MANY = 10
 """With more late ticks than this among the last 50 the arm is to go slower."""
 
 SLOW = 0.7
-"""Share of its speed that the arm has then: ticks that come in bunches make it hurry between."""
+"""Share of its speed that the arm has then: ticks that come in bunches make it hurry between.
+
+It has no more after a tick so late that it was held meanwhile: it swings as it sets off."""
 
 GLIDE = 0.004
 """Largest change of that share from one tick to the next."""
+
+HELD_AFTER = 0.02
+"""The arm side holds its pose after so long without a command [s] (`lwr_guard`)."""
 
 AT_REST_AFTER = 0.1
 """The arm side has come to rest after so long without a command [s] (`lwr_guard`)."""
@@ -55,7 +60,8 @@ class TickWatch:
         self.late += late
         self._recent = (self._recent << 1 | late) & _ALL
         change = -GLIDE if self._recent.bit_count() > MANY else GLIDE
-        self.pace = min(max(self.pace + change, SLOW), 1.0)
+        held = elapsed > HELD_AFTER
+        self.pace = SLOW if held else min(max(self.pace + change, SLOW), 1.0)
         self._run = self._run + 1 if late else 0
         self._left = RECOVERED if self._run > TOLERATED else max(self._left - 1, 0)
         return self._left > 0
