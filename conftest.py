@@ -51,8 +51,12 @@ def nothing_left() -> None:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Let the fault tests be short every day, and thorough when asked."""
+    """Let fault tests be short every day, and have pictures for the documentation made."""
     parser.addoption(
         '--injections', type=int, default=3, metavar='N',
         help='how often every fault is injected (default: %(default)s)',
+    )
+    parser.addoption(
+        '--screenshots', metavar='DIR',
+        help='existing directory for pictures of the live view (default: a temporary one)',
     )

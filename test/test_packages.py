@@ -20,7 +20,7 @@ MAX_LINES = 300
 ORDER = (
     'srnn_config', 'srnn_access', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard',
     'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver', 'srnn_bag',
-    'srnn_replay', 'srnn_experiments', 'srnn_bringup',
+    'srnn_replay', 'srnn_experiments', 'srnn_view', 'srnn_bringup',
 )  # fmt: skip
 STRANGERS = {
     'srnn_access': {'srnn_config'},
@@ -33,6 +33,9 @@ STRANGERS = {
     'lwr_guard': {'srnn_msgs_py', 'srnn_node'},
     'srnn_bag': set(ORDER) - {'srnn_msgs_py'},
     'srnn_replay': {'lwr_guard', 'lwr_fri_driver', 'lwr_sim_bridge'},
+    'srnn_view': set(ORDER) - {
+        'srnn_config', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_sim_bridge',
+    },
     'srnn_experiments': {'srnn_node', 'lwr_fri_driver', 'srnn_bag', 'srnn_replay'},
 }
 EXECUTABLES = {
@@ -47,6 +50,7 @@ EXECUTABLES = {
         'fri_emulator': 'lwr_sim_bridge.fri.emulator_node:main',
     },
     'lwr_fri_driver': {'fri_driver': 'lwr_fri_driver.driver_node:main'},
+    'srnn_view': {'view': 'srnn_view.view_node:main'},
     'srnn_bringup': {'srnn': 'srnn_bringup.cli:main'},
 }
 # Packages, or parts of packages, that work without ROS, and what they may not load either.
@@ -62,6 +66,7 @@ CORES = {
     'lwr_fri_driver.core': (),
     'srnn_bag': (),
     'srnn_experiments': (),
+    'srnn_view': (),
 }
 LOAD = """
 import importlib, pkgutil, re, sys

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of the files that a bag of a run has attached."""
+"""Files that a bag of a run has attached, and their names."""
+
+from dataclasses import dataclass
 
 RUN = 'run.json'
 """What code ran, by which command, on what arm, with which seed."""
@@ -9,3 +11,12 @@ START_WEIGHTS = 'start_weights.npz'
 
 PARAMETERS = 'parameters/{}.yaml'
 """ROS parameter file of a node."""
+
+
+@dataclass(frozen=True)
+class Attachment:
+    """A file that a bag carries with it."""
+
+    name: str
+    media_type: str
+    data: bytes

@@ -7,8 +7,8 @@ from pathlib import Path
 import sys
 from typing import Any
 
+from srnn_bag import Attachment
 from srnn_bag.attached import PARAMETERS, RUN, SCENE, START_WEIGHTS
-from srnn_bringup.bag_recorder import Attachment
 from srnn_bringup.config import Configuration
 from srnn_replay.code_version import code_version
 

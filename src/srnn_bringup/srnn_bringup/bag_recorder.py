@@ -1,23 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """Records what the graph says, as it was on the wire."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 import operator
 from pathlib import Path
 import time
 from types import TracebackType
-from typing import Any, NamedTuple, Self
+from typing import NamedTuple, Self
 
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from srnn_bag import BagWriter, Message
+from srnn_bag import Attachment, BagWriter, Message
 from srnn_bringup.sequence_gaps import SequenceGaps
 from srnn_msgs_py.qos import MOTION, Qos
-from srnn_msgs_py.ros.message_type import message_type
-from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import ARMS, TOPICS, Topic
+from srnn_node.polling import PolledTopic
 
 POLL_S = 0.05
 """Messages are fetched this often [s]: cheaper by far than one by one."""
@@ -37,19 +36,8 @@ LOG = Topic(
 RECORDED = (*TOPICS, LOG)
 
 
-@dataclass(frozen=True)
-class Attachment:
-    """A file that a bag carries with it."""
-
-    name: str
-    media_type: str
-    data: bytes
-
-
 class _Track(NamedTuple):
-    topic: str
-    kind: Any
-    handle: Any
+    topic: PolledTopic
     gaps: SequenceGaps | None
 
 
@@ -89,7 +77,7 @@ class BagRecorder:
     @property
     def lost(self) -> Mapping[str, int]:
         """Number of messages that were sent and did not arrive, by topic; empty for none."""
-        gaps = {track.topic: track.gaps.lost for track in self._tracks if track.gaps}
+        gaps = {track.topic.name: track.gaps.lost for track in self._tracks if track.gaps}
         return {topic: lost for topic, lost in gaps.items() if lost}
 
     def attach(self, files: Iterable[Attachment]) -> None:
@@ -123,18 +111,16 @@ class BagRecorder:
         self.node.destroy_node()
 
     def _listen(self, row: Topic) -> None:
-        topic = self.node.resolve_topic_name(row.name)
-        kind = message_type(row.type_name)
         # Of what is sent hundreds of times a second its sender keeps one message: it could
         # hardly send another again, and to acknowledge each would cost both sides.
         acknowledged = row.qos.reliable and row.qos != MOTION
-        qos = profile(replace(row.qos, depth=HISTORY, reliable=acknowledged))
-        subscription = self.node.create_subscription(kind, row.name, _never, qos, raw=True)
+        qos = replace(row.qos, depth=HISTORY, reliable=acknowledged)
+        topic = PolledTopic(self.node, row, qos)
         # The numbers of several senders cannot be told apart.
         one = len(row.publishers) == 1 or row.publishers == ARMS
         gaps = SequenceGaps() if one and row.qos.reliable else None
-        self._tracks.append(_Track(topic, kind, subscription.handle, gaps))
-        self.writer.add_topic(topic, row.type_name, row.qos)
+        self._tracks.append(_Track(topic, gaps))
+        self.writer.add_topic(topic.name, row.type_name, row.qos)
 
     def _write(self, messages: list[Message]) -> None:
         for topic, received_ns, sent_ns, sequence, data in messages:
@@ -164,20 +150,9 @@ def record(node: Node, directory: Path) -> BagRecorder:
     return recorder
 
 
-def _fetch(track: _Track) -> list[Message]:
-    found = []
-    topic, kind, handle, gaps = track
-    with handle:
-        while (taken := handle.take_message(kind, True)) is not None:
-            data, info = taken
-            sequence = info['publication_sequence_number']
-            if gaps is not None:
-                gaps.take(sequence)
-            found.append(Message(
-                topic, info['received_timestamp'], info['source_timestamp'], sequence, data
-            ))  # fmt: skip
-    return found
-
-
-def _never(data: bytes) -> None:
-    raise AssertionError('the recorder fetches its messages itself')
+def _fetch(track: _Track) -> Iterator[Message]:
+    topic, gaps = track
+    for data, received_ns, sent_ns, sequence in topic.fetch():
+        if gaps is not None:
+            gaps.take(sequence)
+        yield Message(topic.name, received_ns, sent_ns, sequence, data)

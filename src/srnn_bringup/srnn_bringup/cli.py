@@ -26,6 +26,7 @@ from srnn_bringup.options import (
     add_peers,
     add_scene,
     add_seed,
+    add_view,
     new_bag,
     new_file,
     picture_file,
@@ -145,6 +146,7 @@ def _add_graph(parser: Parser, arms: Mapping[str, str]) -> None:
         '--record', type=new_bag, metavar='BAG',
         help='record every topic, and all that the run can be repeated from, to a new directory',
     )
+    add_view(parser)
     parser.add_argument(
         '--save-weights', type=new_file, metavar='FILE',
         help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
@@ -199,14 +201,14 @@ def _demo(options: argparse.Namespace) -> int:
     from srnn_bringup.report import Outputs
 
     outputs = Outputs(options.picture, options.json, options.save_weights)
-    return run_demo(configuration, options.segments, outputs, options.record)
+    return run_demo(configuration, options.segments, outputs, options.record, options.view)
 
 
 def _up(options: argparse.Namespace) -> int:
     configuration = _configuration(options)
     from srnn_bringup.up import run_up
 
-    return run_up(configuration, options.only, options.peer, options.record)
+    return run_up(configuration, options.only, options.peer, options.record, options.view)
 
 
 def _pause(options: argparse.Namespace) -> int:

@@ -15,6 +15,7 @@ from srnn_bringup.observer import Observer
 from srnn_bringup.recorder import Recorder, start_recording
 from srnn_bringup.report import Outputs, write_report
 from srnn_bringup.trial import Run
+from srnn_bringup.viewer import viewing
 from srnn_node.signals import StopRequest
 
 DISCOVERY_S = 15.0
@@ -42,7 +43,11 @@ class Progress:
 
 
 def run_demo(
-    configuration: Configuration, segments: int, outputs: Outputs, bag: Path | None = None
+    configuration: Configuration,
+    segments: int,
+    outputs: Outputs,
+    bag: Path | None = None,
+    view: int | None = None,
 ) -> int:
     """Run the graph until enough segments have ended, and report, whatever happens.
 
@@ -51,6 +56,7 @@ def run_demo(
         segments: number of segments to execute.
         outputs: files to write.
         bag: new directory to record to; None to record nothing.
+        view: port of a page that shows the run; None for no page.
 
     Returns:
         Exit code: 0 after all segments, 1 after a failure, 128 + signal number when
@@ -64,7 +70,10 @@ def run_demo(
     code = 0
     with StopRequest() as stop:
         try:
-            with LiveGraph(configuration, stop, console.note, bag=bag) as graph:
+            with (
+                viewing(configuration, view, console.note),
+                LiveGraph(configuration, stop, console.note, bag=bag) as graph,
+            ):
                 names = graph.names
                 observer = Observer(graph.node, recorder, configuration.key())
                 _run(graph, observer, console, progress, segments)

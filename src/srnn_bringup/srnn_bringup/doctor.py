@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 from importlib import import_module, metadata
 import os
+from pathlib import Path
 import resource
 import sys
 
@@ -26,8 +27,13 @@ NEEDED = (
     'std_msgs', 'std_srvs', 'geometry_msgs', 'nav_msgs', 'sensor_msgs', 'trajectory_msgs',
     'visualization_msgs', 'diagnostic_msgs', 'cryptography', 'mcap', 'srnn_access', 'srnn_bag',
     'srnn_config', 'srnn_msgs_py', 'srnn_node', 'srnn_planner', 'lwr_description', 'lwr_guard',
-    'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver',
+    'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver', 'srnn_replay', 'viser', 'srnn_view',
 )  # fmt: skip
+
+RECEIVE_QUEUE = 1 << 20
+"""Bytes that `config/fastdds.xml` asks for: some messages of weights fit into it."""
+
+_RECEIVE_MAX = Path('/proc/sys/net/core/rmem_max')
 
 _DISTRIBUTIONS = {'yaml': 'PyYAML'}
 
@@ -128,11 +134,22 @@ def _middleware(environ: Mapping[str, str]) -> Iterator[Finding]:
         words = f'{DISCOVERY_RANGE} = {wide}, with transports of your choice'
         risk = '' if local else ': other hosts can take part, and command the arm'
         yield Finding('discovery', Verdict.OK if local else Verdict.NOTE, words + risk)
+    yield _receive_queue(int(_RECEIVE_MAX.read_text()))
     yield Finding(DOMAIN_ID, Verdict.OK, environ.get(DOMAIN_ID) or '0, unless set')
     middleware = environ.get(MIDDLEWARE) or FAST_DDS
     tested = middleware == FAST_DDS
     words = middleware if tested else f'{middleware}: only {FAST_DDS} is tested'
     yield Finding(MIDDLEWARE, Verdict.OK if tested else Verdict.NOTE, words)
+
+
+def _receive_queue(allowed: int) -> Finding:
+    if allowed >= RECEIVE_QUEUE:
+        return Finding('receive queue', Verdict.OK, f'{RECEIVE_QUEUE} bytes are allowed')
+    words = (
+        f'{allowed} bytes, {RECEIVE_QUEUE} wanted: recordings may have gaps; '
+        f'sudo sysctl -w net.core.rmem_max={RECEIVE_QUEUE}'
+    )
+    return Finding('receive queue', Verdict.NOTE, words)
 
 
 def _security(environ: Mapping[str, str]) -> Finding:

@@ -218,12 +218,16 @@ def command(
     keystore: Path | None = None,
     autostart: bool = False,
     paused: bool = False,
+    member: str | None = None,
 ) -> Command:
-    """Return the process of a node with its parameter file, in its enclave of a keystore."""
+    """Return the process of a node with its parameter file, in its enclave of a keystore.
+
+    Its enclave is that of `member`, if it has none of its own.
+    """
     arguments: tuple[str, ...] = ('--ros-args', '--params-file', str(parameters))
     if autostart:
         arguments += ('-p', 'autostart:=true', '-p', f'paused:={str(paused).lower()}')
-    enclave = security_arguments(description.name, keystore)
+    enclave = security_arguments(member or description.name, keystore)
     return Command(
         description.name,
         (sys.executable, '-m', description.module, *arguments, *enclave),

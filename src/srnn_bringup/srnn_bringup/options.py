@@ -17,6 +17,8 @@ PICTURE_FORMATS = ('.png', '.pdf', '.svg')
 
 V = TypeVar('V')
 
+VIEW_PORT = 8080
+
 
 def add_scene(parser: argparse.ArgumentParser) -> None:
     """Add the choice of a scene."""
@@ -76,6 +78,14 @@ def add_part(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--only', type=_checked(part), default=(), metavar='NODE[,NODE...]',
         help=f'nodes to start on this host: {", ".join(NAMES)} (default: all)',
+    )
+
+
+def add_view(parser: argparse.ArgumentParser) -> None:
+    """Add the live view."""
+    parser.add_argument(
+        '--view', type=whole(1, 65535), nargs='?', const=VIEW_PORT, metavar='PORT',
+        help=f'show the run as a web page of this machine, at PORT (default: {VIEW_PORT})',
     )
 
 

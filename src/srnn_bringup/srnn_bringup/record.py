@@ -8,8 +8,9 @@ from typing import Any
 
 import yaml
 
+from srnn_bag import Attachment
 from srnn_bringup import bag_attachments
-from srnn_bringup.bag_recorder import Attachment, BagRecorder, record
+from srnn_bringup.bag_recorder import BagRecorder, record
 from srnn_bringup.console import Console
 from srnn_bringup.errors import Interrupted
 from srnn_bringup.graph import NAMES

@@ -12,6 +12,7 @@ from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.peer_profile import talking_to
 from srnn_bringup.peers import Peer
 from srnn_bringup.restarts import Restarts
+from srnn_bringup.viewer import viewing
 from srnn_node.signals import StopRequest
 
 
@@ -20,6 +21,7 @@ def run_up(
     names: Collection[str] = (),
     peers: Sequence[Peer] = (),
     bag: Path | None = None,
+    view: int | None = None,
 ) -> int:
     """Start the graph and keep it up until a signal comes; a node that dies is started anew.
 
@@ -28,6 +30,7 @@ def run_up(
         names: which nodes; all if empty.
         peers: other hosts, where the rest of the graph runs.
         bag: new directory to record to; None to record nothing.
+        view: port of a page that shows the graph; None for no page.
 
     Returns:
         Exit code: 0 when stopped by the user, 1 after a failure.
@@ -36,7 +39,10 @@ def run_up(
     console = Console(sys.stdout)
     with talking_to(peers), StopRequest() as stop:
         try:
-            with LiveGraph(configuration, stop, console.note, Restarts(), names, bag) as graph:
+            with (
+                viewing(configuration, view, console.note),
+                LiveGraph(configuration, stop, console.note, Restarts(), names, bag) as graph,
+            ):
                 graph.configure()
                 graph.activate()
                 processes = ', '.join(f'{name} ({pid})' for name, pid in graph.pids.items())

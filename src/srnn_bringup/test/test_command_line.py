@@ -102,10 +102,21 @@ def test_options_reach_the_demo(tmp_path, monkeypatch):
     figures, picture = tmp_path / 'd.json', tmp_path / 'd.svg'
     line = f'demo --signal global --segments 9 --seed 4 --json {figures} --picture {picture}'
     assert cli.main(line.split()) == 0
-    ((configuration, segments, outputs, bag),) = calls
+    ((configuration, segments, outputs, bag, view),) = calls
     assert (configuration.learning.signal, configuration.seed, segments) == ('global', 4, 9)
     assert outputs == Outputs(picture=picture, json=figures)
-    assert bag is None
+    assert bag is view is None
+
+
+@pytest.mark.parametrize(
+    ('line', 'port'), [('demo --view', 8080), ('demo --view 9000', 9000), ('up --view', 8080)]
+)
+def test_the_port_of_the_view_can_be_chosen(line, port, monkeypatch):
+    calls = []
+    for command in ('demo.run_demo', 'up.run_up'):
+        monkeypatch.setattr(f'srnn_bringup.{command}', lambda *a: calls.append(a[-1]) or 0)
+    assert cli.main(line.split()) == 0
+    assert calls == [port]
 
 
 def test_a_key_is_made_once_and_reaches_the_graph(tmp_path, monkeypatch, capsys):
@@ -131,7 +142,7 @@ def test_a_part_of_the_graph_starts_in_the_usual_order(monkeypatch):
     calls = []
     monkeypatch.setattr('srnn_bringup.up.run_up', lambda *arguments: calls.append(arguments) or 0)
     assert cli.main(['up']) == cli.main(['up', '--only', 'planner, tracker']) == 0
-    assert [call[1:] for call in calls] == [((), [], None), (('tracker', 'planner'), [], None)]
+    assert [call[1:3] for call in calls] == [((), []), (('tracker', 'planner'), [])]
 
 
 def test_exit_code_of_the_command_is_handed_on(monkeypatch):

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
+from xml.etree import ElementTree
+
 import pytest
 
 from srnn_bringup import doctor, security
+from srnn_bringup.config import config_directory
 from srnn_bringup.doctor import Finding, Verdict, examine, run_doctor
 from srnn_bringup.errors import NotReadyError
 
@@ -42,6 +45,18 @@ def test_being_open_to_other_hosts_is_noted(environ, verdict, words):
 def test_untested_middleware_is_noted():
     found = findings({'RMW_IMPLEMENTATION': 'rmw_other'})['RMW_IMPLEMENTATION']
     assert found.verdict is Verdict.NOTE
+
+
+def test_a_receive_queue_that_is_too_short_is_noted(tmp_path, monkeypatch):
+    profile = ElementTree.parse(config_directory() / 'fastdds.xml')
+    (asked,) = [e.text for e in profile.iter() if e.tag.endswith('receiveBufferSize')]
+    assert int(asked) == doctor.RECEIVE_QUEUE
+    monkeypatch.setattr(doctor, '_RECEIVE_MAX', tmp_path / 'rmem_max')
+    for allowed, verdict in ((212992, Verdict.NOTE), (doctor.RECEIVE_QUEUE, Verdict.OK)):
+        (tmp_path / 'rmem_max').write_text(f'{allowed}\n')
+        found = findings({})['receive queue']
+        assert found.verdict is verdict
+    assert 'sysctl' not in found.words
 
 
 def test_dds_security_is_available_where_nothing_is_lacking():

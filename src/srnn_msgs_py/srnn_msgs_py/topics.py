@@ -58,7 +58,7 @@ TOPICS = (
     ),
     Topic(
         'segment_result', 'diagnostic_msgs/msg/DiagnosticStatus', EVENT,
-        ('tracker',), ('planner', 'sim_bridge', 'fri_emulator', 'user'),
+        ('tracker',), ('planner', 'sim_bridge', 'fri_emulator', 'user', 'view'),
         'how a segment ended: DONE, BLOCKED, REJECTED, STALE or FAULT, and why', KEYED,
     ),
     Topic(
@@ -71,7 +71,7 @@ TOPICS = (
     ),
     Topic(
         'dissonance', 'std_msgs/msg/Float32MultiArray', EVENT,
-        ('adapter',), ('planner', 'user'),
+        ('adapter',), ('planner', 'user', 'view'),
         'learning signal of a segment and whether it changed the weights', KEYED,
     ),
     Topic(

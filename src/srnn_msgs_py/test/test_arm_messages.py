@@ -7,7 +7,7 @@ import pytest
 
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.joints import JointSample
-from srnn_msgs_py.ros import commands, joints, pose, waypoints, wrench
+from srnn_msgs_py.ros import commands, joints, markers, pose, waypoints, wrench
 from srnn_msgs_py.tip import TipPosition
 from srnn_msgs_py.waypoints import Waypoints
 from srnn_msgs_py.wrench import Wrench
@@ -134,3 +134,11 @@ def test_wrenches_must_be_finite():
     msg = wrench.to_msg(Wrench(STAMP, 'lwr_tool', np.zeros(3), np.array([0.0, 0.0, np.nan])))
     with pytest.raises(MessageError, match='torque = .*must be finite'):
         wrench.from_msg(msg)
+
+
+def test_a_displayed_tour_has_the_points_their_radius_and_the_next_one(wire):
+    points = np.array([[0.1, 0.2, 0.0], [-0.1, 0.0, 0.0], [0.0, 0.3, 0.0]])
+    shown = markers.from_msg(wire(markers.to_msg(Waypoints(STAMP, points), 1, 0.03)))
+    np.testing.assert_allclose([point for point, _, _ in shown], points[:, :2])
+    np.testing.assert_allclose([radius for _, radius, _ in shown], 0.03)
+    assert [active for _, _, active in shown] == [False, True, False]

@@ -2,7 +2,9 @@
 """The learned map is where the neurons are, as a grid and as columns."""
 
 import numpy as np
+import pytest
 
+from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.ros import belief, belief_markers
 
 HALF = 0.3
@@ -41,3 +43,16 @@ def test_the_cells_of_the_grid_are_around_their_neurons(wire):
         [corner.x + msg.info.resolution * 9.5, corner.y + msg.info.resolution * 4.5],
         place(9, 4), atol=1e-7,
     )  # fmt: skip
+
+
+def test_a_grid_is_read_as_it_was_written(wire):
+    inhibition, (x, y), cell = belief.from_msg(wire(belief.to_msg(INHIBITION, HALF, 12)))
+    assert (inhibition[4, 9], inhibition[12, 3], inhibition.sum()) == (1.0, 0.5, 1.5)
+    np.testing.assert_allclose([x + 9.5 * cell, y + 4.5 * cell], place(9, 4), atol=1e-7)
+
+
+def test_a_grid_without_all_its_cells_is_refused():
+    msg = belief.to_msg(INHIBITION, HALF, 12)
+    msg.info.height = 14
+    with pytest.raises(MessageError, match='data: 225 cells: must be 14 x 15'):
+        belief.from_msg(msg)

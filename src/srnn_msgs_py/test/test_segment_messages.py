@@ -113,8 +113,9 @@ def test_a_displayed_path_has_the_points_and_times_of_the_segment(wire):
     segment = small_segment()
     msg = wire(path.to_msg(segment))
     assert msg.header.frame_id == 'srnn_workspace'
-    shown = [(p.pose.position.x, p.pose.position.y, p.pose.position.z) for p in msg.poses]
-    assert shown == [(*row, 0.0) for row in segment.positions.tolist()]
+    shown = path.positions(msg)
+    np.testing.assert_array_equal(shown[:, :2], segment.positions)
+    np.testing.assert_array_equal(shown[:, 2], 0.0)
     stamps = [p.header.stamp.sec * 10**9 + p.header.stamp.nanosec for p in msg.poses]
     assert stamps == [STAMP, STAMP + 10**8, STAMP + 2 * 10**8]
     assert all(p.pose.orientation.w == 1.0 for p in msg.poses)

@@ -38,6 +38,10 @@ class Session:
     rows: NDArray[np.int64]
     until_ns: int
 
+    def has(self, message: Message) -> bool:
+        """Tell whether a message was sent in the time of the process."""
+        return self.began_ns <= message.sent_ns < self.until_ns
+
 
 class Recording:
     """The messages of one node's topics, read once.
@@ -128,7 +132,7 @@ def prefixes(bag: Bag) -> list[str]:
 
 def of_session(messages: list[Message], session: Session) -> list[Message]:
     """Return the messages that were sent in the time of a process."""
-    return [m for m in messages if session.began_ns <= m.sent_ns < session.until_ns]
+    return [message for message in messages if session.has(message)]
 
 
 def _sessions(node: str, parts: 'list[Decoded[Any]]') -> list[Session]:

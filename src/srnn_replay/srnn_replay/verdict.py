@@ -108,7 +108,4 @@ class Told:
 
 def said_in(session: Session, said: 'list[Decoded[Any]]') -> list[tuple[Message, Any]]:
     """Return what was sent in the time of a process."""
-    return [
-        (d.message, d.value) for d in said
-        if session.began_ns <= d.message.sent_ns < session.until_ns
-    ]  # fmt: skip
+    return [(one.message, one.value) for one in said if session.has(one.message)]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A recorded run as a report needs it: segments, weights, tip, events and times."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 import json
 from pathlib import Path
@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from rcl_interfaces.msg import Log
+from rclpy.serialization import deserialize_message
 
 from srnn_bag import Bag, Message, open_bag
 from srnn_bag.attached import RUN, SCENE
 from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.config_files import NetworkFile
-from srnn_bringup.page.events import Event, of_health, of_log, of_result
 from srnn_bringup.recorder import Recorder, start_recording
 from srnn_msgs_py.ros import (
     diagnostics,
@@ -30,8 +31,12 @@ from srnn_msgs_py.ros import (
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import decode
+from srnn_view.events import Event, EventLog, Grave, of_health, of_result
 
 LOG = '/rosout'
+WARNING = 30
+"""Severity from which on a line of the log is an event."""
+
 TRUTH = 'contact_truth'
 
 
@@ -82,6 +87,7 @@ def read_run(path: Path) -> BagRun:
 
     events: list[Event] = []
     heard: list[tuple[int, Callable[[], None]]] = []
+    found: dict[str, list[tuple[Message, Any]]] = {}
     for name, convert, take in (
         ('segment', segment.from_msg, recorder.segment),
         ('executed', executed.from_msg, recorder.executed),
@@ -91,7 +97,8 @@ def read_run(path: Path) -> BagRun:
         (TRUTH, _force, recorder.force),
         ('/diagnostics', diagnostics.from_msg, recorder.health),
     ):
-        for message, value in reader.values(name, convert):
+        found[name] = reader.values(name, convert)
+        for message, value in found[name]:
             heard.append((message.received_ns, lambda t=take, v=value: t(v)))  # type: ignore[misc]
             if name == 'segment_result':
                 events += of_result(since(message.received_ns), value)
@@ -99,23 +106,23 @@ def read_run(path: Path) -> BagRun:
                 events += of_health(since(message.received_ns), value)
     for _, act in sorted(heard, key=lambda one: one[0]):
         act()
-    events += [e for m in bag.messages({LOG}) for e in of_log(since(m.received_ns), m.data)]
+    events += [e for m in bag.messages({LOG}) for e in _of_log(since(m.received_ns), m.data)]
+    log = EventLog()
+    for event in sorted(events, key=lambda event: event.time):
+        log.add(event)
     tip = [(since(m.received_ns), *v.position[:2])
            for m, v in reader.values('current_pose', pose.from_msg)]  # fmt: skip
     return BagRun(
         bag=bag,
         configuration=configuration,
         recorder=recorder,
-        versions=tuple(
-            (since(m.received_ns), v) for m, v in reader.values('weights', weights.from_msg)
-        ),
+        versions=tuple((since(m.received_ns), v) for m, v in found['weights']),
         tip=np.array(tip).reshape(-1, 3),
-        sent={v.stamp_ns: since(m.received_ns)
-              for m, v in reader.values('segment', segment.from_msg)},
-        events=_without_repeats(sorted(events, key=lambda event: event.time)),
+        sent={v.stamp_ns: since(m.received_ns) for m, v in found['segment']},
+        events=tuple(log.events),
         about=json.loads(bag.attachments[RUN]),
         seconds=since(ended_ns),
-    )  # fmt: skip
+    )
 
 
 class _Reader:
@@ -153,15 +160,12 @@ def _configuration(bag: Bag) -> Configuration:
     )  # fmt: skip
 
 
-def _without_repeats(events: list[Event]) -> tuple[Event, ...]:
-    """Return events without those that say again what their node has said last."""
-    last: dict[str, str] = {}
-    kept = []
-    for event in events:
-        if last.get(event.source) != event.text:
-            kept.append(event)
-        last[event.source] = event.text
-    return tuple(event for event in kept if event.text)
+def _of_log(time: float, data: bytes) -> Iterator[Event]:
+    """Yield a line of the log that warns."""
+    line = deserialize_message(data, Log)
+    if line.level >= WARNING:
+        grave = Grave.ERROR if line.level > WARNING else Grave.WARN
+        yield Event(time, f'{line.name} (log)', grave, line.msg, said_again=True)
 
 
 def _force(msg: Any) -> float:

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from srnn_bringup.closing import closing_lines
 from srnn_bringup.page import html
 from srnn_bringup.page.bag_run import BagRun
-from srnn_bringup.page.events import Grave
 from srnn_bringup.page.timeline import timeline
 from srnn_bringup.page.timings import PERCENTILES, timings
 from srnn_bringup.plots.plane import draw_change
@@ -22,6 +21,7 @@ from srnn_bringup.trial import Run, document
 from srnn_config.geometry import outline
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synaptic_change import input_change, output_change
+from srnn_view.events import Grave
 
 MAPS = 12
 """Updates that are drawn one by one; of more, these many from the first to the last."""

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from html import escape
 
 from srnn_bringup.page.bag_run import BagRun
-from srnn_bringup.page.events import Grave
+from srnn_view.events import Grave
 
 WIDTH, LEFT = 1000.0, 90.0
 ROW, GAP = 20.0, 9.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the network has learned to avoid, as nav_msgs/OccupancyGrid, for display only."""
+"""What the network has learned to avoid ↔ nav_msgs/OccupancyGrid, for display only."""
 
 from array import array
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from std_msgs.msg import Header
 
+from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.ros.points import pose_at
 from srnn_msgs_py.ros.stamp import stamp_to_msg
 from srnn_msgs_py.segment import FRAME
@@ -38,3 +39,18 @@ def to_msg(inhibition: NDArray[np.float64], half_extent: float, stamp_ns: int) -
         # Row-major from the corner with x running fastest.
         data=array('b', scaled.T.astype(np.int8).ravel().tolist()),
     )
+
+
+def from_msg(msg: OccupancyGrid) -> tuple[NDArray[np.float64], tuple[float, float], float]:
+    """Return a map: inhibition (rows, columns), rows upward, 0 to 1; its corner and cell [m].
+
+    Raises:
+        MessageError: it has not as many cells as it says.
+
+    """
+    shape = msg.info.height, msg.info.width
+    if len(msg.data) != shape[0] * shape[1]:
+        raise MessageError(f'data: {len(msg.data)} cells: must be {shape[0]} x {shape[1]}')
+    corner = msg.info.origin.position
+    inhibition = np.clip(np.array(msg.data, float) / 100.0, 0.0, 1.0).reshape(shape)
+    return inhibition, (corner.x, corner.y), msg.info.resolution

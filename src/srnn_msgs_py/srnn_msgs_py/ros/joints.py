@@ -71,6 +71,16 @@ def from_msgs(
     )
 
 
+def positions(measured: JointState, names: Sequence[str]) -> NDArray[np.float64]:
+    """Return the joint angles in the order of `names` [rad].
+
+    Raises:
+        MessageError: joints are missing or unknown, or a number is not finite.
+
+    """
+    return _ordered(measured, 'position', names)
+
+
 def _ordered(msg: JointState, field: str, names: Sequence[str]) -> NDArray[np.float64]:
     values = vector(getattr(msg, field), len(names), field)
     if list(msg.name) == list(names):

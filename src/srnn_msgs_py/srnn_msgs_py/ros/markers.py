@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Way points as visualization_msgs/MarkerArray, for display only."""
+"""Way points ↔ visualization_msgs/MarkerArray, for display only."""
 
 from geometry_msgs.msg import Vector3
 from std_msgs.msg import ColorRGBA, Header
@@ -31,3 +31,14 @@ def to_msg(waypoints: Waypoints, active: int, reach_radius: float) -> MarkerArra
         for index, point in enumerate(waypoints.points)
     ]
     return MarkerArray(markers=markers)
+
+
+def from_msg(msg: MarkerArray) -> list[tuple[tuple[float, float], float, bool]]:
+    """Return where each way point is [m], the radius to be reached [m], and if it is next."""
+    return [
+        (
+            (marker.pose.position.x, marker.pose.position.y), marker.scale.x / 2.0,
+            marker.color.r > marker.color.b,
+        )
+        for marker in msg.markers
+    ]  # fmt: skip

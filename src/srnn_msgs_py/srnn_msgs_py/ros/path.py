@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Segments and executed paths → nav_msgs/Path, for display only.
+"""Segments and executed paths → nav_msgs/Path → positions, for display only.
 
 An array of messages costs milliseconds to read in Python: no process that moves the
 arm may subscribe to one.
@@ -7,6 +7,8 @@ arm may subscribe to one.
 
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
+import numpy as np
+from numpy.typing import NDArray
 from std_msgs.msg import Header
 
 from srnn_msgs_py.ros.points import pose_at
@@ -23,3 +25,9 @@ def to_msg(path: Segment | ExecutedPath) -> Path:
         header = Header(stamp=stamp, frame_id=frame)
         poses.append(PoseStamped(header=header, pose=pose_at(position)))
     return Path(header=Header(stamp=stamp_to_msg(path.stamp_ns), frame_id=frame), poses=poses)
+
+
+def positions(msg: Path) -> NDArray[np.float64]:
+    """Return the positions (n, 3) of a path [m]."""
+    points = (pose.pose.position for pose in msg.poses)
+    return np.array([(point.x, point.y, point.z) for point in points]).reshape(-1, 3)

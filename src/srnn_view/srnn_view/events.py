@@ -1,18 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What happened in a run besides that segments were executed."""
+"""What happens in a run besides that segments are executed."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 
-from rcl_interfaces.msg import Log
-from rclpy.serialization import deserialize_message
-
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.result import ResultCode, SegmentResult
-
-WARNING = 30
-"""Severity from which on a line of the log is an event."""
 
 
 class Grave(Enum):
@@ -32,6 +26,7 @@ class Event:
         source: which node tells, and where.
         grave: how bad it is.
         text: what happened; empty for: what was, is no longer.
+        said_again: its source says it again and again while it is so.
 
     """
 
@@ -39,6 +34,7 @@ class Event:
     source: str
     grave: Grave
     text: str
+    said_again: bool = False
 
 
 def of_result(time: float, result: SegmentResult) -> Iterator[Event]:
@@ -58,12 +54,26 @@ def of_health(time: float, health: Mapping[str, Health]) -> Iterator[Event]:
         bad = status.level in (HealthLevel.WARN, HealthLevel.ERROR)
         grave = Grave.ERROR if status.level is HealthLevel.ERROR else Grave.WARN
         source = f'{name.rpartition("/")[2]} (health)'
-        yield Event(time, source, grave, status.message if bad else '')
+        yield Event(time, source, grave, status.message if bad else '', said_again=True)
 
 
-def of_log(time: float, data: bytes) -> Iterator[Event]:
-    """Yield a line of the log that warns."""
-    line = deserialize_message(data, Log)
-    if line.level >= WARNING:
-        grave = Grave.ERROR if line.level > WARNING else Grave.WARN
-        yield Event(time, f'{line.name} (log)', grave, line.msg)
+class EventLog:
+    """Events in order, each once that is said again and again."""
+
+    def __init__(self, longest: int | None = None) -> None:
+        """Keep the last `longest` events, all if None."""
+        self._longest = longest
+        self._last: dict[str, str] = {}
+        self.events: list[Event] = []
+
+    def add(self, event: Event) -> bool:
+        """Take in an event; return whether it says something new."""
+        if event.said_again:
+            repeated = self._last.get(event.source, '') == event.text
+            self._last[event.source] = event.text
+            if repeated or not event.text:
+                return False
+        self.events.append(event)
+        if self._longest is not None:
+            del self.events[: -self._longest]
+        return True

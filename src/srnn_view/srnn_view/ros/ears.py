@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Hears what a graph says, when asked to, and tells a run about it."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+import time
+from typing import Any
+
+from nav_msgs.msg import OccupancyGrid
+import numpy as np
+from rclpy.node import Node
+from rclpy.serialization import deserialize_message
+from visualization_msgs.msg import MarkerArray
+
+from lwr_description import JOINT_NAMES
+from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.ros import (
+    belief,
+    diagnostics,
+    dissonance,
+    joints,
+    markers,
+    path,
+    result,
+    samples,
+    spikes,
+    wrench,
+)
+from srnn_msgs_py.topics import topic
+from srnn_node.polling import PolledTopic
+from srnn_view.live_run import BeliefMap, LiveRun, Waypoint
+
+EACH = 200
+"""Messages that may wait where each of them counts."""
+
+
+class Ears:
+    """Listens for a run.
+
+    Attributes:
+        ignored: messages that said nothing that can be drawn.
+
+    """
+
+    def __init__(self, node: Node, run: LiveRun) -> None:
+        """Listen from now on; have `listen` called again and again."""
+        self.ignored = 0
+        self._run = run
+        tell: Mapping[str, Callable[[Any], None]] = {
+            'segment_path': lambda msg: run.planned(path.positions(msg)),
+            'executed_path': lambda msg: run.moved(path.positions(msg)),
+            'segment_result': self._on_result,
+            'dissonance': lambda msg: run.learned(dissonance.from_msg(msg)),
+            '/diagnostics': self._on_diagnostics,
+        }
+        newest: Mapping[str, Callable[[Any], None]] = {
+            'joint_states': self._on_joints,
+            'wrench': self._on_wrench,
+            'samples': lambda msg: run.imagined(*samples.from_msg(msg)),
+            'spikes': lambda msg: run.spiked(spikes.from_msg(msg)),
+            'belief': self._on_belief,
+            'markers': self._on_markers,
+        }
+        self._topics = [
+            (_of(node, name, depth), act)
+            for depth, acts in ((EACH, tell), (1, newest)) for name, act in acts.items()
+        ]  # fmt: skip
+
+    def listen(self) -> None:
+        """Tell the run what has been said since."""
+        for polled, act in self._topics:
+            for message in polled.fetch():
+                try:
+                    act(deserialize_message(message.data, polled.kind))
+                except MessageError:
+                    self.ignored += 1
+
+    def _on_joints(self, msg: Any) -> None:
+        self._run.measured(joints.positions(msg, JOINT_NAMES))
+
+    def _on_wrench(self, msg: Any) -> None:
+        self._run.pressed(float(np.linalg.norm(wrench.from_msg(msg).force)))
+
+    def _on_result(self, msg: Any) -> None:
+        self._run.ended_as(result.from_msg(msg), time.monotonic())
+
+    def _on_diagnostics(self, msg: Any) -> None:
+        self._run.felt(diagnostics.from_msg(msg), time.monotonic())
+
+    def _on_belief(self, msg: OccupancyGrid) -> None:
+        self._run.believed(BeliefMap(*belief.from_msg(msg)))
+
+    def _on_markers(self, msg: MarkerArray) -> None:
+        self._run.toured(tuple(Waypoint(*point) for point in markers.from_msg(msg)))
+
+
+def _of(node: Node, name: str, depth: int) -> PolledTopic:
+    row = topic(name)
+    # Of what is sent hundreds of times a second the newest will do; nobody sends it again.
+    reliable = row.qos.latched or depth > 1
+    return PolledTopic(node, row, replace(row.qos, depth=depth, reliable=reliable))
