@@ -102,6 +102,16 @@ class Browser:
             time.sleep(0.2)
         return value
 
+    def click(self, element: str) -> None:
+        """Click in the middle of an element, given as a JavaScript expression."""
+        x, y = self.evaluate(
+            f'(r => [r.x + r.width / 2, r.y + r.height / 2])(({element}).getBoundingClientRect())'
+        )
+        for kind in ('mousePressed', 'mouseReleased'):
+            self._call(
+                'Input.dispatchMouseEvent', type=kind, x=x, y=y, button='left', clickCount=1
+            )
+
     def screenshot(self, file: Path) -> bytes:
         """Write a picture of the page, and return it."""
         picture = base64.b64decode(self._call('Page.captureScreenshot', format='png')['data'])

@@ -44,16 +44,15 @@ def test_the_page_shows_a_run_while_it_learns(folder, port, request):
         with Browser(folder, 1400, 900) as browser:
             browser.open(f'http://127.0.0.1:{port}')
             browser.until("document.querySelector('canvas') !== null", LOADED_S)
+            # It warns that there is no graphics card.
+            browser.click("document.querySelector('.mantine-Notification-closeButton')")
             first = int(browser.until(text_of('segments'), LOADED_S))
             before = browser.screenshot(folder / 'before.png')
             browser.until(f'Number({text_of("segments")}) >= {first + 4}', RUN_S)
             browser.until(f'Number({text_of("updates")}) >= 1', RUN_S)
             after = browser.screenshot(pictures / 'live_view.png')
             for tab in ('Times', 'Nodes', 'Events'):
-                browser.evaluate(
-                    "[...document.querySelectorAll('[role=tab]')]"
-                    f".find(tab => tab.innerText === '{tab}').click()"
-                )
+                browser.click(TAB.format(tab))
                 browser.until(f"document.body.innerText.includes('{WORDS[tab]}')", LOADED_S)
                 browser.screenshot(pictures / f'live_view_{tab.lower()}.png')
             assert browser.complaints == []
@@ -64,6 +63,7 @@ def test_the_page_shows_a_run_while_it_learns(folder, port, request):
     assert nothing_left(srnn, folder)
 
 
+TAB = "[...document.querySelectorAll('[role=tab]')].find(tab => tab.innerText === '{}')"
 WORDS = {'Times': 'planning', 'Nodes': 'tracker', 'Events': 'touch'}
 """What is to be read on each page."""
 

@@ -31,18 +31,22 @@ class Panel:
     def __init__(self, gui: viser.GuiApi) -> None:
         """Put up empty figures."""
         gui.set_panel_label('srnn')
-        gui.configure_theme(control_layout='fixed', control_width='large', show_logo=False)
+        gui.configure_theme(
+            control_layout='fixed', control_width='large', show_logo=False,
+            # It would have another server show the page to everybody.
+            show_share_button=False,
+        )
         tabs = gui.add_tab_group()
         with tabs.add_tab('Learning'):
             self._counts = gui.add_html('')
             self._lessons = _chart(
-                gui, 'dissonance', 'peak of the segment', ('no update', '#888'),
-                ('update', '#c00020'),
+                gui, 'dissonance', 'peak', ('of the segment', '#888'),
+                ('where weights changed', '#c00020'),
             )  # fmt: skip
-            self._belief = gui.add_image(_EMPTY, label='learned inhibition', format='png')
             self._spikes = gui.add_image(
-                _EMPTY, label='spikes: neurons up, steps to the right', format='png'
+                _EMPTY, label='spikes: a row per neuron, steps to the right', format='png'
             )
+            self._belief = gui.add_image(_EMPTY, label='learned inhibition', format='png')
         with tabs.add_tab('Times'):
             self._planning = _chart(gui, 'planning', 'ms', ('planning', '#1e64dc'))
             self._updates = _chart(gui, 'learning from a touch', 'ms', ('update', '#c00020'))
@@ -82,10 +86,7 @@ class Panel:
         self._draw_counts(run)
         if run.lessons:
             number, peak, updated = (np.array(column) for column in zip(*run.lessons, strict=True))
-            self._lessons.data = (
-                number.astype(float), np.where(updated, np.nan, peak),
-                np.where(updated, peak, np.nan),
-            )  # fmt: skip
+            self._lessons.data = number.astype(float), peak, np.where(updated, peak, 0.0)
 
     def _draw_planning(self, run: LiveRun) -> None:
         for chart, points in ((self._planning, run.planning), (self._updates, run.updates)):
@@ -116,14 +117,14 @@ class Panel:
 def _chart(
     gui: viser.GuiApi, title: str, unit: str, *series: tuple[str, str]
 ) -> viser.GuiUplotHandle:
-    """Return a chart of points over the number of the segment."""
-    dots = tuple(
-        uplot.Series(label=label, stroke=colour, width=0, points={'show': True, 'size': 5})
+    """Return a chart over the number of the segment."""
+    lines = tuple(
+        uplot.Series(label=label, stroke=colour, width=1.5, points={'show': True, 'size': 5})
         for label, colour in series
     )
     return gui.add_uplot(
-        tuple(np.zeros(0) for _ in (0, *series)),
-        (uplot.Series(label='segment'), *dots),
+        tuple(np.zeros(1) for _ in (0, *series)),
+        (uplot.Series(label='segment'), *lines),
         title=title,
         axes=(uplot.Axis(label='segment'), uplot.Axis(label=unit)),
         scales={'x': uplot.Scale(time=False, auto=True)},
@@ -133,7 +134,7 @@ def _chart(
 
 def _event(event: Event) -> list[str]:
     return [
-        _dot(_GRAVE[event.grave]), f'{event.time:.1f} s', f'<b>{escape(event.source)}</b>',
+        _dot(_GRAVE[event.grave]), f'<nobr>{event.time:.1f} s</nobr>', f'<b>{escape(event.source)}</b>',
         escape(event.text),
     ]  # fmt: skip
 

@@ -28,8 +28,11 @@ _ABOVE = 0.012
 _ON_TABLE = -0.058
 """Height of the map of the belief, just above the table [m]."""
 
-_CAMERA = np.array([1.0, -0.7, 0.9])
+_CAMERA = np.array([1.3, -0.9, 0.8])
 """Where the page is seen from, from the middle of the plane [m]."""
+
+_LOOK = np.array([-0.2, 0.0, 0.25])
+"""Where it looks, from there [m]."""
 
 _CELL_PIXELS = 8
 _NOTHING = np.zeros((1, 2, 3), np.float32)
@@ -46,7 +49,7 @@ class Stage:
         self._scene = scene = server.scene
         middle = np.array([mount.plane_x, 0.0, mount.plane_z])
         server.initial_camera.position = middle + _CAMERA
-        server.initial_camera.look_at = middle * [0.7, 1.0, 1.0]
+        server.initial_camera.look_at = middle + _LOOK
         self._obstacles = obstacles
         self._shapes = SceneShapes(mount, obstacles)
         scene.set_up_direction('+z')
