@@ -133,10 +133,9 @@ def _chart(
 
 
 def _event(event: Event) -> list[str]:
-    return [
-        _dot(_GRAVE[event.grave]), f'<nobr>{event.time:.1f} s</nobr>', f'<b>{escape(event.source)}</b>',
-        escape(event.text),
-    ]  # fmt: skip
+    time = f'<nobr>{event.time:.1f} s</nobr>'
+    source = f'<b>{escape(event.source)}</b>'
+    return [_dot(_GRAVE[event.grave]), time, source, escape(event.text)]
 
 
 def _dot(colour: str) -> str:
