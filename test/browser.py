@@ -53,7 +53,7 @@ class Browser:
                     f'--window-size={self._size[0]},{self._size[1]}', *_ARGUMENTS,
                 ],
                 stdin=subprocess.DEVNULL, stdout=log, stderr=log,
-                preexec_fn=lambda: os.nice(19),
+                preexec_fn=lambda: os.nice(10),
             )  # fmt: skip
         self._socket = connect(self._page(), max_size=None)
         for domain in ('Runtime', 'Log', 'Page'):

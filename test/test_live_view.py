@@ -9,7 +9,7 @@ from browser import BROWSER, Browser
 import pytest
 from srnn_process import RUN_S, SCENE, STOP_S, Srnn, nothing_left
 
-LOADED_S = 60.0
+LOADED_S = 120.0
 """A scene is drawn by the processor here, after everything else."""
 
 
@@ -35,7 +35,7 @@ def text_of(name: str) -> str:
 def test_the_page_shows_a_run_while_it_learns(folder, port, request):
     pictures = Path(request.config.getoption('--screenshots') or folder)
     srnn = Srnn(
-        folder, 'demo', '--scene', 'wall.yaml', '--segments', '40', '--seed', '2',
+        folder, 'demo', '--scene', 'wall.yaml', '--segments', '500', '--seed', '2',
         '--view', str(port),
     )  # fmt: skip
     try:

@@ -48,9 +48,11 @@ def viewing(
         with Supervisor(Path(folder)) as supervisor:
             supervisor.start(command(view, files[VIEW], configuration.keystore, member=COMMAND))
             say(_await(supervisor))
-            yield supervisor.pids
-            for death in supervisor.deaths():
-                say(death.report())
+            try:
+                yield supervisor.pids
+            finally:
+                for death in supervisor.deaths():
+                    say(death.report())
 
 
 def describe(configuration: Configuration, port: int) -> NodeDescription:

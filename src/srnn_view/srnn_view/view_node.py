@@ -78,7 +78,7 @@ def _show(node: Node, stop: StopRequest) -> None:
                 stage.draw(run, changed)
                 panel.draw(run, changed)
         due = max(due + PERIOD_S, time.monotonic())
-        time.sleep(due - time.monotonic())
+        time.sleep(max(due - time.monotonic(), 0.0))
     server.stop()
 
 
