@@ -39,6 +39,8 @@ def first_difference(recorded: Any, replayed: Any, where: str = '') -> Differenc
     """
     if type(recorded) is not type(replayed):
         return Difference(where, recorded, replayed)
+    if isinstance(recorded, np.ndarray):
+        return _of_arrays(recorded, replayed, where)
     if is_dataclass(recorded):
         names = [field.name for field in fields(recorded)]
         pairs = [(_join(where, n), getattr(recorded, n), getattr(replayed, n)) for n in names]
@@ -46,8 +48,6 @@ def first_difference(recorded: Any, replayed: Any, where: str = '') -> Differenc
         if recorded.keys() != replayed.keys():
             return Difference(where, sorted(recorded), sorted(replayed))
         pairs = [(_join(where, str(key)), recorded[key], replayed[key]) for key in recorded]
-    elif isinstance(recorded, np.ndarray):
-        return _of_arrays(recorded, replayed, where)
     else:
         same = _bits(recorded) == _bits(replayed)
         return None if same else Difference(where, recorded, replayed)

@@ -38,9 +38,19 @@ class JointStateBytes:
         texts = [name.encode() + b'\0' for name in names]
         self._count = _COUNT.pack(len(names))
         self._names = [_COUNT.pack(len(text)) + text for text in texts]
+        self._shapes: dict[int, _Shape] = {}
 
     def arrays(self, data: bytes) -> tuple[NDArray[np.float64], ...] | None:
         """Return position, velocity and effort, (n,) or empty; None if it is not known how."""
+        shape = self._shapes.get(len(data))
+        if shape is None or not shape.is_of(data):
+            shape = self._shape(data)
+            if shape is None:
+                return None
+            self._shapes[len(data)] = shape
+        return tuple(np.frombuffer(data, '<f8', count, at) for at, count in shape.numbers)
+
+    def _shape(self, data: bytes) -> '_Shape | None':
         if data[:2] != _LITTLE_ENDIAN:
             return None
         try:
@@ -54,18 +64,36 @@ class JointStateBytes:
                 if data[at : at + len(name)] != name:
                     return None
                 at += len(name)
-            found = []
+            numbers = []
             for _ in FIELDS:
                 at = _aligned(at, 4)
                 (count,) = _COUNT.unpack_from(data, at)
                 at += _COUNT.size
                 if count:
                     at = _aligned(at, 8)
-                found.append(np.frombuffer(data, '<f8', count, at))
+                numbers.append((at, count))
                 at += 8 * count
-        except (struct.error, ValueError):
+        except struct.error:
             return None
-        return tuple(found)
+        return _Shape(data, numbers) if at <= len(data) else None
+
+
+class _Shape:
+    """Where the numbers of a message are, and what is around them.
+
+    Messages of one sender have the same shape, and to compare with the last one is faster than
+    to find it anew.
+    """
+
+    def __init__(self, data: bytes, numbers: Sequence[tuple[int, int]]) -> None:
+        self.numbers = tuple(numbers)
+        ends = [at + 8 * count for at, count in numbers]
+        edges = [(0, _BODY), *zip([_FRAME, *ends], [at for at, _ in numbers], strict=False)]
+        self._around = tuple((slice(*edge), data[slice(*edge)]) for edge in edges)
+
+    def is_of(self, data: bytes) -> bool:
+        """Tell whether a message of the same length has this shape."""
+        return all(data[place] == content for place, content in self._around)
 
 
 def _aligned(at: int, size: int) -> int:
