@@ -55,7 +55,7 @@ class TrackerReplay:
         verdict = Verdict(NODE)
         for session in self._recording.sessions:
             self._listen(session, verdict)
-            if not all(self._act(Deed(int(row[0])), row) for row in session.rows):
+            if not all(self._act(Deed(row[0]), row) for row in session.rows.tolist()):
                 break
             end_ns = self._sample.stamp_ns if self._sample else session.began_ns
             if not all(told.finish(end_ns) for told in (self._paths, self._results)):
@@ -80,9 +80,9 @@ class TrackerReplay:
             'results', results, lambda v: f'result of segment {v.stamp_ns}', verdict
         )
 
-    def _act(self, deed: Deed, row: NDArray[np.int64]) -> bool:
+    def _act(self, deed: Deed, row: list[int]) -> bool:
         """Do again what one row tells; return whether to go on."""
-        _, first, second, time, _ = (int(value) for value in row)
+        _, first, second, time, _ = row
         match deed:
             case Deed.MEASURED:
                 self._sample = self._joint_sample(first, first + second)

@@ -42,6 +42,9 @@ class Condition(Flag):
     OVERLOADED = auto()
     LOADED = auto()
 
+    # Members and their combinations are unique: their identity is all the hash that it takes.
+    __hash__ = object.__hash__
+
 
 @dataclass(frozen=True)
 class Rule:

@@ -154,7 +154,7 @@ class Tracker:
         self._law.step(execution.reference.position, dt, settle=not self.latched)
         hindrance = self._motion.judge(dt, self._law.freedom, sample, execution.running)
         # Once only: a point that is held must not wander with the arm.
-        if hindrance & ~self.conditions:
+        if hindrance is not Condition.NONE and hindrance & ~self.conditions:
             self._fault(hindrance)
         return self._answer()
 
@@ -192,8 +192,7 @@ class Tracker:
         """Return the reason of a refusal, and what has stopped the arm if that is it."""
         if refusal is not Refusal.STOPPED:
             return str(refusal)
-        latched = decide(self.conditions).latched
-        return f'{refusal}: {", ".join(decide(latched).causes)}'
+        return f'{refusal}: {", ".join(decide(decide(self.conditions).latched).causes)}'
 
     def _judge(self, segment: Segment, age_s: float) -> Admission | Refusal:
         if self._execution is None:
@@ -263,7 +262,8 @@ class Tracker:
 
     def _set(self, condition: Condition, there: bool) -> None:
         """Note a condition that comes and goes by itself."""
-        self.conditions = self.conditions | condition if there else self.conditions & ~condition
+        if there != (condition in self.conditions):
+            self.conditions ^= condition
 
     def _fault(self, condition: Condition, at: Array | None = None) -> None:
         self.counters.faults += condition not in self.conditions
