@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """A graph in real time, and what becomes of it when something runs beside it."""
 
+import argparse
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 import time
 
 import psutil
@@ -70,6 +72,14 @@ def running(seconds: float) -> Iterator[tuple[Bench, Configuration]]:
         graph.configure()
         graph.activate()
         yield Bench(graph, seconds), configuration
+
+
+def arguments(meaning: str) -> argparse.Namespace:
+    """Return `seconds` of each stretch and `out`, the file for the table or None."""
+    parser = argparse.ArgumentParser(description=meaning)
+    parser.add_argument('--seconds', type=float, default=20.0, help='default: %(default)s')
+    parser.add_argument('--out', type=Path, metavar='FILE', help='where the table is written')
+    return parser.parse_args()
 
 
 def _cpu_s(pid: int) -> float:

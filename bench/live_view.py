@@ -9,14 +9,13 @@ draws elsewhere. The exit code is 1 if more cycles of the arm are late than with
 by more than three standard deviations of the difference of two counts.
 """
 
-import argparse
 from math import sqrt
 import os
 from pathlib import Path
 import sys
 import tempfile
 
-from beside import Stretch, running
+from beside import Stretch, arguments, running
 
 from srnn_bringup.viewer import VIEW, viewing
 
@@ -31,10 +30,7 @@ PORT = 18080
 
 def main() -> int:
     """Measure, and print or write the table."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--seconds', type=float, default=20.0, help='default: %(default)s')
-    parser.add_argument('--out', type=Path, metavar='FILE', help='where the table is written')
-    choice = parser.parse_args()
+    choice = arguments(__doc__.splitlines()[0])
     lines = [
         '# What the live view costs', '',
         f'`bench/live_view.py --seconds {choice.seconds:g}`, {os.cpu_count()} processors: the '

@@ -7,7 +7,6 @@ The graph runs without and with a recorder, in turn. The exit code is 1 if the r
 more than 5 % of a core, or a message is lost, or more cycles of the arm are late than without it.
 """
 
-import argparse
 import os
 from pathlib import Path
 import signal
@@ -15,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-from beside import Bench, Stretch, running
+from beside import Bench, Stretch, arguments, running
 
 from srnn_bag import open_bag
 
@@ -36,10 +35,7 @@ def recorded(bench: Bench, directory: Path) -> tuple[Stretch, str]:
 
 def main() -> int:
     """Measure, and print or write the table."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--seconds', type=float, default=20.0, help='default: %(default)s')
-    parser.add_argument('--out', type=Path, metavar='FILE', help='where the table is written')
-    choice = parser.parse_args()
+    choice = arguments(__doc__.splitlines()[0])
     lines = [
         '# What recording costs', '',
         f'`bench/recording.py --seconds {choice.seconds:g}`, {os.cpu_count()} processors: the '

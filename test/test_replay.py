@@ -6,9 +6,9 @@ import itertools
 import json
 from pathlib import Path
 import re
-import shutil
 import subprocess
 
+from browser import BROWSER
 import numpy as np
 import pytest
 from srnn_process import SCENE
@@ -161,7 +161,6 @@ def test_a_bag_of_another_version_is_refused(eventful, changed):
         replay(bag)
 
 
-BROWSER = shutil.which('chromium') or shutil.which('google-chrome')
 QUIET = (
     '--headless', '--no-sandbox', '--disable-gpu', '--disable-background-networking',
     '--disable-component-update', '--disable-sync', '--no-first-run', '--enable-logging=stderr',
@@ -181,7 +180,7 @@ def test_the_run_becomes_one_page(eventful, tmp_path):
     assert 'http' not in text.replace('http://www.w3.org/2000/svg', '')
 
 
-@pytest.mark.skipif(BROWSER is None, reason='no Chromium or Chrome on this machine')
+@pytest.mark.skipif(BROWSER is None, reason='this machine has no Chromium')
 def test_the_page_plays_in_a_browser_without_an_error(eventful, tmp_path):
     page = tmp_path / 'run.html'
     assert cli.main(['report', str(eventful), '--out', str(page)]) == 0

@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 from lwr_description import Kinematics, Mount
+from lwr_guard import GuardParameters
 from lwr_sim_bridge.parameters import ContactParameters, MismatchParameters
 from lwr_tracking.core import Tracker, TrackerParameters
+from lwr_tracking.core.tick_watch import HELD_AFTER
 from srnn_msgs_py.result import ResultCode
 
 sys.path.insert(0, str(Path(__file__).parents[1] / 'src' / 'lwr_tracking' / 'test'))
@@ -126,6 +128,10 @@ def test_a_silent_planner_leaves_the_arm_at_rest_on_its_path():
     assert arm.tracker.counters.soft_stops == 1
     np.testing.assert_allclose(arm.arm.tip_truth[:2], moving.positions[-1], atol=1.5e-3)
     assert np.array(arm.tips)[:, 0].max() <= moving.positions[-1, 0] + 2e-3
+
+
+def test_the_tracker_knows_when_the_arm_holds_its_pose():
+    assert GuardParameters().silence == HELD_AFTER
 
 
 @pytest.mark.parametrize('seconds', [0.03, 0.07, 0.09, 0.12, 0.3])

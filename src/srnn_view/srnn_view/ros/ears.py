@@ -2,6 +2,7 @@
 """Hears what a graph says, when asked to, and tells a run about it."""
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 import time
 from typing import Any
@@ -35,16 +36,10 @@ EACH = 200
 
 
 class Ears:
-    """Listens for a run.
-
-    Attributes:
-        ignored: messages that said nothing that can be drawn.
-
-    """
+    """Listens for a run; what says nothing that can be drawn is left out."""
 
     def __init__(self, node: Node, run: LiveRun) -> None:
         """Listen from now on; have `listen` called again and again."""
-        self.ignored = 0
         self._run = run
         tell: Mapping[str, Callable[[Any], None]] = {
             'segment_path': lambda msg: run.planned(path.positions(msg)),
@@ -70,10 +65,8 @@ class Ears:
         """Tell the run what has been said since."""
         for polled, act in self._topics:
             for message in polled.fetch():
-                try:
+                with suppress(MessageError):
                     act(deserialize_message(message.data, polled.kind))
-                except MessageError:
-                    self.ignored += 1
 
     def _on_joints(self, msg: Any) -> None:
         self._run.measured(joints.positions(msg, JOINT_NAMES))
