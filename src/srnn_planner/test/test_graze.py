@@ -6,10 +6,12 @@ import pytest
 
 from srnn_planner.core.blockage import Blockage
 from srnn_planner.core.graze import graze
+from srnn_planner.core.grid_mean import GridMean
 from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.state_neurons import StateNeurons
 
 NEURONS = StateNeurons(NetworkParameters())
+MEAN = GridMean(NetworkParameters())
 PRIOR = NEURONS.prior_weights
 FREE = np.zeros(len(NEURONS.positions))
 EVERYWHERE = np.ones_like(FREE)
@@ -21,12 +23,12 @@ def straight(start, end, steps=20):
 
 def test_where_all_is_free_nothing_is_grazed():
     paths = np.array([straight((-0.5, 0.0), (0.5, 0.3)), straight((0.0, 0.0), (0.0, 0.0))])
-    assert not graze(paths, NEURONS, FREE, 0.3).any()
+    assert not graze(paths, MEAN, FREE, 0.3).any()
 
 
 def test_in_even_blockage_its_root_times_length_and_caution_count():
     paths = np.array([straight((-0.5, 0.0), (0.1, 0.0)), straight((0.1, 0.0), (0.1, 0.0))])
-    assert graze(paths, NEURONS, 0.25 * EVERYWHERE, 0.3) == pytest.approx([0.45, 0.15])
+    assert graze(paths, MEAN, 0.25 * EVERYWHERE, 0.3) == pytest.approx([0.45, 0.15])
 
 
 def test_round_a_blocked_place_nothing_is_met_and_through_it_most():
@@ -34,7 +36,7 @@ def test_round_a_blocked_place_nothing_is_met_and_through_it_most():
     through = straight((-0.8, 0.0), (0.8, 0.0), 21)
     bend = np.column_stack([np.zeros(21), np.sin(np.linspace(0.0, np.pi, 21))])
     paths = through + np.array([0.0, 0.3, 0.9])[:, None, None] * bend
-    centre, edge, clear = graze(paths, NEURONS, blockage**2, 0.2)
+    centre, edge, clear = graze(paths, MEAN, blockage**2, 0.2)
     assert centre > 2.0 * edge > 20.0 * clear
 
 
@@ -81,3 +83,15 @@ def test_interpolation_is_the_mean_by_responsibilities(dimensions, side):
     values = rng.standard_normal(side**dimensions)
     expected = neurons.responsibilities(points) @ values
     assert neurons.interpolate(values, points) == pytest.approx(expected, abs=1e-12)
+
+
+@pytest.mark.parametrize(('dimensions', 'side'), [(1, 15), (1, 3), (2, 15), (2, 60), (3, 6)])
+def test_compiled_interpolation_leaves_out_only_what_does_not_count(dimensions, side):
+    network = NetworkParameters(dimensions=dimensions, neurons_per_dimension=side, sigma=0.11)
+    neurons, rng = StateNeurons(network), np.random.default_rng(dimensions)
+    points = rng.uniform(-1.3, 1.3, (200, dimensions))
+    everywhere = rng.standard_normal(side**dimensions)
+    here_and_there = np.where(rng.random(side**dimensions) < 0.03, everywhere, 0.0)
+    for values in (everywhere, here_and_there, np.zeros_like(everywhere)):
+        expected = neurons.interpolate(values, points)
+        assert GridMean(network).at(values, points) == pytest.approx(expected, abs=1e-6)

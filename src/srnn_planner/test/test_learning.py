@@ -7,13 +7,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 import numpy as np
 import pytest
+from sampling_oracle import Words
+from statistical_bounds import binomial_bound
 
 from srnn_planner.core import plasticity, plasticity_kernel
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.dissonance import SIGNALS, compare, learning_signal, within_horizon
+from srnn_planner.core.encoding import spike_probability
 from srnn_planner.core.errors import PairingError, SrnnError, WeightsError
 from srnn_planner.core.parameters import LearningParameters, ModelParameters, NetworkParameters
 from srnn_planner.core.plasticity import Experience, contrast
+from srnn_planner.core.random_words import seeds
 from srnn_planner.core.state_neurons import StateNeurons
 
 NEURONS = StateNeurons(NetworkParameters())
@@ -86,9 +90,26 @@ def test_constant_signal_acts_only_where_the_global_one_triggers():
     assert (untriggered.rates(mismatch) == 0.07).all()
 
 
-def random_experience(rng, steps=20, neurons=30):
+def random_experience(rng, steps=20, neurons=20, among=30):
     rates = rng.random((steps, neurons)) * (rng.random((steps, neurons)) < 0.5)
-    return Experience(rng.random((steps, neurons)), rng.random((steps, neurons)), rates)
+    executed, mental = rng.random((2, steps, neurons)) * (rng.random((2, steps, neurons)) < 0.7)
+    which = np.sort(rng.permutation(among)[:neurons])
+    return Experience(which, executed, mental, rates)
+
+
+def trains(experience, state, tau):
+    """Encode both paths in plain Python, with the words of the kernel."""
+    words = Words(state)
+    probabilities = experience.executed, experience.mental
+    last = np.full((2, len(experience.neurons)), -tau - 1)
+    spikes = np.zeros((2, *experience.executed.shape), dtype=bool)
+    for t in range(len(experience.executed)):
+        for way, probability in enumerate(probabilities):
+            for i in np.flatnonzero(probability[t]):
+                if t - last[way, i] > tau and words.uniform() < probability[t, i]:
+                    spikes[way, t, i] = True
+                    last[way, i] = t
+    return spikes
 
 
 @settings(max_examples=25, deadline=None)
@@ -97,11 +118,26 @@ def test_kernel_gives_the_weights_of_the_reference_bit_for_bit(seed, tau):
     rng = np.random.default_rng(seed)
     experience = random_experience(rng)
     weights = rng.uniform(-1, 1, (30, 30)).astype(np.float32)
-    uniforms = rng.random((5, 2, 20, 30), dtype=np.float32)
-    expected = plasticity.replay(weights, experience, uniforms, tau)
-    assert np.array_equal(
-        plasticity_kernel.replay(weights, experience, uniforms, tau), expected
-    )
+    states = seeds(rng, 5)
+    pairs = [trains(experience, state, tau) for state in states]
+    expected = plasticity.replay(weights, experience, pairs, tau)
+    assert np.array_equal(plasticity_kernel.replay(weights, experience, states, tau), expected)
+
+
+def test_encodings_of_the_kernel_have_the_probabilities_of_the_reference(rng):
+    """A change of 2^-12 at every spike in the second step counts spikes of both paths.
+
+    Two-sided bound of false-alarm rate 1e-6; the presynaptic neuron spikes in the first step.
+    """
+    replays, alpha = 4000, 2.0**-12
+    executed, mental = np.zeros((2, 2, 3))
+    executed[0, 0], executed[1, 1], mental[1, 2] = 1.0, 0.37, 0.21
+    experience = Experience(np.arange(3), executed, mental, np.full((2, 3), alpha))
+    weights = np.zeros((3, 3), dtype=np.float32)
+    learned = plasticity_kernel.replay(weights, experience, seeds(rng, replays), 10)
+    for count, probability in ((learned[0, 1], 0.37), (-learned[0, 2], 0.21)):
+        bound = binomial_bound(replays, probability)
+        assert abs(count / alpha - probability * replays) <= bound
 
 
 @given(seed=SEEDS)
@@ -164,17 +200,25 @@ def test_same_seed_learns_the_same_weights():
     assert np.array_equal(first.weights, second.weights)
 
 
-@pytest.mark.parametrize('steps', [30, 100])
-def test_drawing_ahead_and_warming_up_change_no_lesson(steps):
-    path = np.linspace([-0.15, 0.0], [-0.05, 0.0], steps)
+def test_warming_up_changes_no_lesson():
     first, second = learner(seed=7), learner(seed=7)
     second.warm_up()
-    for _ in range(2):
-        first.learn(path, stopped(path, steps // 3))
-        second.prepare()
-        second.learn(path, stopped(path, steps // 3))
-    assert first.updates == second.updates == 2
+    for each in (first, second):
+        each.learn(STRAIGHT, stopped(STRAIGHT, 12))
+        assert each.updates == 1
     assert np.array_equal(first.weights, second.weights)
+
+
+def test_neurons_that_cannot_spike_are_left_out_of_an_experience():
+    """What was left out has no responsibility, by which it could spike, in either path."""
+    a_learner = learner('untriggered')
+    before = a_learner.weights.copy()
+    a_learner.learn(STRAIGHT, stopped(STRAIGHT, 12))
+    changed = (a_learner.weights != before).any(axis=0)
+    omega = NEURONS.responsibilities(STRAIGHT / 0.3)
+    can_spike = spike_probability(omega, LearningParameters()).any(axis=0)
+    assert changed.any()
+    assert not changed[~can_spike].any()
 
 
 def test_paths_that_do_not_belong_together_are_refused():

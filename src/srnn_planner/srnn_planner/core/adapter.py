@@ -7,15 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_planner.core import generator_state, plasticity_kernel
-from srnn_planner.core.dissonance import experienced, learning_signal
+from srnn_planner.core.dissonance import Mismatch, experienced, learning_signal
 from srnn_planner.core.encoding import spike_probability
 from srnn_planner.core.errors import PairingError
 from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.plasticity import Experience
+from srnn_planner.core.random_words import seeds
 from srnn_planner.core.state_neurons import StateNeurons
-
-STEPS_AHEAD = 64
-"""Random numbers are drawn ahead for segments of this many steps; longer ones draw more."""
 
 FARTHEST = 10.0
 """No arm is farther out than this [units]; responsibilities are not numbers very far out."""
@@ -53,28 +51,14 @@ class Learner:
         self.updates = 0
         self._signal = learning_signal(model.learning)
         self._rng = rng
-        self._uniforms: NDArray[np.float32] | None = None
-        self._before_drawing = generator_state.read(rng)
 
     def warm_up(self) -> None:
         """Compile every kernel, and work through one lesson that teaches nothing."""
-        self.prepare()
-        assert self._uniforms is not None
-        neurons = self.model.network.neurons
-        uniforms = self._uniforms.reshape(self.model.learning.replays, 2, STEPS_AHEAD, neurons)
-        path = np.linspace(np.zeros(self.model.network.dimensions), 0.3, STEPS_AHEAD)
+        path = np.linspace(np.zeros(self.model.network.dimensions), 0.3, 64)
         omega = self.neurons.responsibilities(path)
-        probability = spike_probability(omega, self.model.learning)
-        nothing = Experience(probability, probability, np.zeros_like(omega))
-        plasticity_kernel.replay(self.weights, nothing, uniforms, self.model.network.tau)
-
-    def prepare(self) -> None:
-        """Draw the random numbers of the next lesson ahead of time; changes no lesson."""
-        if self._uniforms is None:
-            replays, neurons = self.model.learning.replays, self.model.network.neurons
-            count = replays * 2 * STEPS_AHEAD * neurons
-            self._before_drawing = generator_state.read(self._rng)
-            self._uniforms = self._rng.random(count, dtype=np.float32)
+        nothing = self._experience(Mismatch(np.zeros(len(path)), omega, omega), 0.0 * omega)
+        states = seeds(np.random.default_rng(0), self.model.learning.replays)
+        plasticity_kernel.replay(self.weights, nothing, states, self.model.network.tau)
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
         """Go on from other weights, all or nothing.
@@ -87,8 +71,7 @@ class Learner:
 
     def random_state(self) -> NDArray[np.uint64]:
         """Return the state (6,) that the random numbers of the next lesson are drawn from."""
-        drawn = self._uniforms is not None
-        return self._before_drawing if drawn else generator_state.read(self._rng)
+        return generator_state.read(self._rng)
 
     def use_random_state(self, state: NDArray[np.uint64]) -> None:
         """Draw the random numbers of the next lesson from a state (6,).
@@ -98,7 +81,6 @@ class Learner:
 
         """
         generator_state.write(self._rng, state)
-        self._uniforms = None
 
     def learn(self, mental: NDArray[np.float64], executed: NDArray[np.float64]) -> Lesson:
         """Learn from a plan and its execution.
@@ -125,24 +107,20 @@ class Learner:
         rates = self._signal.rates(mismatch)
         updated = bool(rates.any())
         if updated:
-            experience = Experience(
-                executed=spike_probability(mismatch.executed, self.model.learning),
-                mental=spike_probability(mismatch.mental, self.model.learning),
-                rates=rates,
+            states = seeds(self._rng, self.model.learning.replays)
+            self.weights = plasticity_kernel.replay(
+                self.weights, self._experience(mismatch, rates), states, self.model.network.tau
             )
-            self._replay(experience)
+            self.updates += 1
         return Lesson(updated, mismatch.squared_distance, rates)
 
-    def _replay(self, experience: Experience) -> None:
-        size = (self.model.learning.replays, 2, *experience.rates.shape)
-        self.prepare()
-        assert self._uniforms is not None
-        drawn, self._uniforms = self._uniforms, None
-        missing = int(np.prod(size)) - drawn.size
-        if missing > 0:
-            drawn = np.concatenate([drawn, self._rng.random(missing, dtype=np.float32)])
-        uniforms = drawn[: np.prod(size)].reshape(size)
-        self.weights = plasticity_kernel.replay(
-            self.weights, experience, uniforms, self.model.network.tau
+    def _experience(self, mismatch: Mismatch, rates: NDArray[np.float64]) -> Experience:
+        learning = self.model.learning
+        highest = np.maximum(mismatch.executed.max(axis=0), mismatch.mental.max(axis=0))
+        neurons = np.flatnonzero(spike_probability(highest, learning))
+        return Experience(
+            neurons=neurons,
+            executed=spike_probability(mismatch.executed[:, neurons], learning),
+            mental=spike_probability(mismatch.mental[:, neurons], learning),
+            rates=np.ascontiguousarray(rates[:, neurons]),
         )
-        self.updates += 1

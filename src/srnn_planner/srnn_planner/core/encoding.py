@@ -59,7 +59,7 @@ def postsynaptic_potential(spikes: NDArray[np.bool_], tau: int) -> NDArray[np.bo
 
 def draw_history(
     probability: NDArray[np.float64], samples: int, tau: int, rng: np.random.Generator
-) -> NDArray[np.int64]:
+) -> NDArray[np.int32]:
     """Draw what each neuron did before a segment, from the encoding of a position.
 
     Args:
@@ -74,9 +74,12 @@ def draw_history(
         where the robot is (Tanneberg et al. 2019, "Online Motion Planning Framework").
 
     """
-    spikes = rng.random((samples, len(probability))) < probability
+    may = np.flatnonzero(probability)
+    spikes = rng.random((samples, len(may))) < probability[may]
     when = rng.integers(-tau, 0, size=spikes.shape)
-    return np.where(spikes, when, NO_SPIKE)
+    history = np.full((samples, len(probability)), NO_SPIKE, dtype=np.int32)
+    history[:, may] = np.where(spikes, when, NO_SPIKE)
+    return history
 
 
 NO_SPIKE = -1_000_000

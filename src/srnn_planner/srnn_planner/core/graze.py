@@ -4,12 +4,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.grid_mean import GridMean
 
 
 def graze(
     paths: NDArray[np.float64],
-    neurons: StateNeurons,
+    mean: GridMean,
     blockage: NDArray[np.float64],
     caution: float,
 ) -> NDArray[np.float64]:
@@ -20,7 +20,7 @@ def graze(
 
     Args:
         paths: (S, T, d) [units].
-        neurons: the grid on which the next is given.
+        mean: of the grid on which the next is given.
         blockage: (K,) of each neuron.
         caution: the worst on a path counts as if it lasted for this long [units].
 
@@ -29,7 +29,9 @@ def graze(
 
     """
     samples, steps, dimensions = paths.shape
-    blocked = neurons.interpolate(blockage, paths.reshape(-1, dimensions))
+    if not blockage.any():
+        return np.zeros(samples)
+    blocked = mean.at(blockage, paths.reshape(-1, dimensions))
     met = np.sqrt(blocked).reshape(samples, steps)
     travelled = np.linalg.norm(np.diff(paths, axis=1), axis=2)
     return np.asarray((travelled * met[:, 1:]).sum(axis=1) + caution * met.max(axis=1))

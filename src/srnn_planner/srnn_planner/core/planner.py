@@ -14,15 +14,16 @@ from srnn_planner.core.decoding import decode, window
 from srnn_planner.core.encoding import draw_history, spike_probability
 from srnn_planner.core.fatigue import Fatigue
 from srnn_planner.core.graze import graze
+from srnn_planner.core.grid_mean import GridMean
 from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import (
     ModelParameters,
     PlanningParameters,
     TrajectoryParameters,
 )
+from srnn_planner.core.random_words import seeds
 from srnn_planner.core.retreat import at_rest, back_off
-from srnn_planner.core.sampling import Draws, SampleInput, thin
-from srnn_planner.core.sampling_kernel import sample_activity
+from srnn_planner.core.sampling_kernel import Sampler
 from srnn_planner.core.selection import select
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.trajectory import Motion, Trajectory, time_path
@@ -78,14 +79,14 @@ class Plan:
         trajectory: the segment, or None if no valid movement was found.
         samples: (S, T, d) decoded samples [units].
         kept: (S,) which of them were averaged.
-        spikes: (S, T, K) of the state neurons, zeros and ones.
+        spikes: (T, K) how many of the samples spiked.
 
     """
 
     trajectory: Trajectory | None
     samples: NDArray[np.float64]
     kept: NDArray[np.bool_]
-    spikes: NDArray[np.uint8]
+    spikes: NDArray[np.uint16]
 
 
 class SegmentPlanner:
@@ -110,28 +111,30 @@ class SegmentPlanner:
         self.model = model
         self.planning = planning
         self.neurons = StateNeurons(model.network)
+        self._mean = GridMean(model.network)
         self.weights: NDArray[np.float32] = self.neurons.prior_weights
-        self._rng, self._uniform_rng = rng.spawn(2)
-        self._draws: Draws | None = None
+        self._rng = rng.spawn(1)[0]
         self._window = window(
             planning.sampling.steps, model.network.tau, planning.sampling.decode_sigma
         )
         positions = model.workspace.to_metres(self.neurons.positions)
-        self._bias = obstacle_input(positions, known, planning.obstacles)
-        self._ways = Ways(self.neurons, self._bias)
+        bias = obstacle_input(positions, known, planning.obstacles)
+        self._sampler = Sampler(
+            model.network, self.neurons.positions, bias, planning.context.amplitude
+        )
+        self._ways = Ways(self.neurons, bias)
         self._believe()
         self._fatigue = Fatigue(self.neurons)
         self._centres: dict[bytes, NDArray[np.float64]] = {}
 
     def warm_up(self) -> None:
         """Compile every kernel without touching the stream of random numbers."""
-        kept = self._rng, self._uniform_rng
-        self._rng, self._uniform_rng = np.random.default_rng(0).spawn(2)
+        kept, self._rng = self._rng, np.random.default_rng(0)
         rest = Motion(np.zeros(self._dimensions), np.zeros(self._dimensions))
         self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
         self._centres.clear()
         self._fatigue = Fatigue(self.neurons)
-        self._rng, self._uniform_rng = kept
+        self._rng = kept
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
         """Take new weights for the next segment, all or nothing.
@@ -165,43 +168,24 @@ class SegmentPlanner:
 
     def _sample(
         self, position: NDArray[np.float64], context: ContextPopulation
-    ) -> tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.uint8]]:
+    ) -> tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.uint16]]:
         """Return decoded paths (S, T, d) from a position (d,), which are valid (S,), spikes."""
-        network, sampling = self.model.network, self.planning.sampling
+        sampling = self.planning.sampling
         start = self.neurons.responsibilities(position[None])[0]
-        size = (sampling.samples, sampling.steps)
-        given = SampleInput(
-            weights=self.weights,
-            context=context,
-            bias=self._bias,
-            history=draw_history(
-                spike_probability(start, self.model.learning),
-                sampling.samples, network.tau, self._rng,
-            ),
-            draws=self._take_draws(),
-            context_uniforms=self._rng.random((*size, len(context.weights)), dtype=np.float32),
+        history = draw_history(
+            spike_probability(start, self.model.learning), sampling.samples,
+            self.model.network.tau, self._rng,
+        )  # fmt: skip
+        spikes, activity = self._sampler.sample(
+            context, history, seeds(self._rng, sampling.samples)
         )
-        spikes, activity = sample_activity(network, self.neurons.positions, given)
         paths, valid = decode(activity, self._window)
         squared = (np.diff(paths, axis=1) ** 2).sum(axis=2).max(axis=1)
         return paths, valid & (squared <= sampling.step_max**2), spikes
 
-    def prepare(self) -> None:
-        """Draw the random numbers of the next plan ahead of time; changes no plan."""
-        if self._draws is None:
-            sampling = self.planning.sampling
-            size = (sampling.samples, sampling.steps, self.model.network.neurons)
-            uniforms = self._uniform_rng.random(size, dtype=np.float32)
-            self._draws = thin(uniforms, self.model.network.spike_probability_max)
-
-    def _take_draws(self) -> Draws:
-        self.prepare()
-        draws, self._draws = self._draws, None
-        assert draws is not None
-        return draws
-
     def _believe(self) -> None:
-        """Find out what the weights say of where the arm can go."""
+        """Run with the weights, and find out what they say of where the arm can go."""
+        self._sampler.use_weights(self.weights)
         self._blockage = self._ways.blockage.of(self.weights)
         self._tolls = self._ways.tolls(self.weights, self.planning.context.aversion)
 
@@ -212,10 +196,10 @@ class SegmentPlanner:
     def _cost(
         self, request: PlanRequest, goal: Goal, paths: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        left = self.neurons.interpolate(goal.remaining, paths[:, -1])
+        left = self._mean.at(goal.remaining, np.ascontiguousarray(paths[:, -1]))
         away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
         left[away <= request.reach] = 0.0
-        met = graze(paths, self.neurons, self._blockage, self.planning.selection.caution)
+        met = graze(paths, self._mean, self._blockage, self.planning.selection.caution)
         return np.asarray(left + self.planning.context.aversion * met)
 
     def _goal(self, target: NDArray[np.float64]) -> Goal:

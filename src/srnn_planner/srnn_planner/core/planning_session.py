@@ -110,7 +110,7 @@ class PlanningSession:
         plan = self.watched.last
         if plan is None:
             return None
-        spikes = np.minimum(plan.spikes.sum(axis=0, dtype=np.uint16), 255).astype(np.uint8)
+        spikes = np.minimum(plan.spikes, 255).astype(np.uint8)
         metres = self._workspace.to_metres(plan.samples).astype(np.float32)
         return Imagination(stamp_ns, metres, plan.kept, spikes)
 

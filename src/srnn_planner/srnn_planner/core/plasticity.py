@@ -1,25 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 """Spiking contrastive divergence with mental replay: the plain NumPy reference."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.encoding import encode, postsynaptic_potential
+from srnn_planner.core.encoding import postsynaptic_potential
 
 
 @dataclass(frozen=True, eq=False)
 class Experience:
-    """One segment, ready to be learned.
+    """One segment, ready to be learned, for the n neurons that may spike in it.
 
     Attributes:
-        executed: (T, K) spike probabilities of the executed path (data).
-        mental: (T, K) spike probabilities of the plan (model).
-        rates: (T, K) learning signal alpha_ti.
+        neurons: (n,) which neurons; synapses of all others stay as they are.
+        executed: (T, n) spike probabilities of the executed path (data).
+        mental: (T, n) spike probabilities of the plan (model).
+        rates: (T, n) learning signal alpha_ti.
 
     """
 
+    neurons: NDArray[np.intp]
     executed: NDArray[np.float64]
     mental: NDArray[np.float64]
     rates: NDArray[np.float64]
@@ -32,7 +35,7 @@ def contrast(
     rates: NDArray[np.float64],
     tau: int,
 ) -> NDArray[np.float64]:
-    """Apply one pair of spike trains (T, K) and return the new weights (K, K).
+    """Apply one pair of spike trains (T, n) and return the new weights (n, n).
 
     w_ki += alpha_ti v~e_k (ve_ti - vm_ti) for every step t (eq. 6), where v~e is the
     postsynaptic potential of the executed train over tau steps, then clipped to [-1, 1].
@@ -48,7 +51,7 @@ def contrast(
 def replay(
     weights: NDArray[np.float32],
     experience: Experience,
-    uniforms: NDArray[np.float32],
+    trains: Iterable[tuple[NDArray[np.bool_], NDArray[np.bool_]]],
     tau: int,
 ) -> NDArray[np.float32]:
     """Learn R encodings of one experience, one after another.
@@ -56,16 +59,17 @@ def replay(
     Args:
         weights: (K, K) recurrent weights w[pre, post]; not changed.
         experience: probabilities and rates of the segment.
-        uniforms: (R, 2, T, K) numbers from [0, 1): R pairs for executed and mental path.
+        trains: R pairs of spike trains (T, n), of the executed and of the mental path.
         tau: refractory period and length of the postsynaptic potential [steps].
 
     Returns:
         The new weights (K, K) (Tanneberg et al. 2019, "Using Mental Replay Strategies").
 
     """
-    updated = weights.astype(np.float64)
-    for executed_uniforms, mental_uniforms in uniforms:
-        executed = encode(experience.executed, executed_uniforms, tau)
-        mental = encode(experience.mental, mental_uniforms, tau)
-        updated = contrast(updated, executed, mental, experience.rates, tau)
-    return updated.astype(np.float32)
+    among = np.ix_(experience.neurons, experience.neurons)
+    block = weights[among].astype(np.float64)
+    for executed, mental in trains:
+        block = contrast(block, executed, mental, experience.rates, tau)
+    updated = weights.copy()
+    updated[among] = block
+    return updated

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sampling movements by running the network: the plain NumPy reference.
 
-`sampling_kernel` does the same fast; both take the same random numbers and must
-return the same spikes.
+`sampling_kernel` does the same fast, with other random numbers: its spikes have the same
+distribution.
 """
 
 from dataclasses import dataclass
@@ -15,46 +15,6 @@ from srnn_planner.core.parameters import NetworkParameters
 
 
 @dataclass(frozen=True, eq=False)
-class Draws:
-    """The uniform numbers that can decide a spike: those below its largest probability.
-
-    Attributes:
-        neurons: (n,) neuron of each number, ordered by sample, step and neuron.
-        values: (n,) the numbers.
-        offsets: (S * T + 1,) where the numbers of each step of each sample begin.
-        shape: (S, T, K) of all numbers, those left out included.
-
-    """
-
-    neurons: NDArray[np.int32]
-    values: NDArray[np.float32]
-    offsets: NDArray[np.int64]
-    shape: tuple[int, int, int]
-
-    def dense(self) -> NDArray[np.float32]:
-        """Return (S, T, K) numbers, 1 in place of those left out."""
-        samples, steps, neurons = self.shape
-        numbers = np.ones((samples * steps, neurons), dtype=np.float32)
-        row = np.repeat(np.arange(samples * steps), np.diff(self.offsets))
-        numbers[row, self.neurons] = self.values
-        return numbers.reshape(self.shape)
-
-
-def thin(uniforms: NDArray[np.float32], limit: float) -> Draws:
-    """Return those of the uniform numbers (S, T, K) that lie below `limit`."""
-    samples, steps, neurons = uniforms.shape
-    flat = uniforms.ravel()
-    kept = np.flatnonzero(flat < np.float32(limit))
-    counts = np.bincount(kept // neurons, minlength=samples * steps)
-    return Draws(
-        neurons=(kept % neurons).astype(np.int32),
-        values=flat[kept],
-        offsets=np.concatenate([[0], np.cumsum(counts)]),
-        shape=(samples, steps, neurons),
-    )
-
-
-@dataclass(frozen=True, eq=False)
 class SampleInput:
     """Everything that determines a set of samples.
 
@@ -63,7 +23,7 @@ class SampleInput:
         context: the active context population of N neurons over T steps.
         bias: (K,) input of context neurons that spike all the time.
         history: (S, K) step of each neuron's last spike before 0, see `draw_history`.
-        draws: numbers from [0, 1) that decide the spikes.
+        uniforms: (S, T, K) numbers from [0, 1) that decide the spikes.
         context_uniforms: (S, T, N) the same for the context neurons.
 
     """
@@ -71,8 +31,8 @@ class SampleInput:
     weights: NDArray[np.float32]
     context: ContextPopulation
     bias: NDArray[np.float64]
-    history: NDArray[np.int64]
-    draws: Draws
+    history: NDArray[np.int32]
+    uniforms: NDArray[np.float32]
     context_uniforms: NDArray[np.float32]
 
 
@@ -84,8 +44,7 @@ def sample_spikes(network: NetworkParameters, given: SampleInput) -> NDArray[np.
     then silences (absolute) or scales by (t - t_spike) / tau (linear).
     """
     tau = network.tau
-    samples, steps, neurons = given.draws.shape
-    uniforms = given.draws.dense()
+    samples, steps, neurons = given.uniforms.shape
     last = given.history.copy()
     context_last = np.full(given.context_uniforms[:, 0].shape, -tau - 1)
     weights = given.weights.astype(np.float64)
@@ -94,7 +53,7 @@ def sample_spikes(network: NetworkParameters, given: SampleInput) -> NDArray[np.
         potential = (t - last <= tau).astype(np.float64)
         context_potential = (t - context_last <= tau).astype(np.float64)
         u = given.bias + potential @ weights + context_potential @ given.context.weights
-        spikes[:, t] = uniforms[:, t] < activation(network, u, t - last)
+        spikes[:, t] = given.uniforms[:, t] < activation(network, u, t - last)
         last[spikes[:, t]] = t
         fired = given.context_uniforms[:, t] < given.context.spike_probability[t]
         context_last[fired] = t
@@ -102,7 +61,7 @@ def sample_spikes(network: NetworkParameters, given: SampleInput) -> NDArray[np.
 
 
 def activation(
-    network: NetworkParameters, u: NDArray[np.float64], since: NDArray[np.int64]
+    network: NetworkParameters, u: NDArray[np.float64], since: NDArray[np.integer]
 ) -> NDArray[np.float64]:
     """Return the spike probability rho for membrane potential u.
 

@@ -40,17 +40,22 @@ class StateNeurons:
         )
 
     def responsibilities(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return omega (n, K): the basis at points (n, d), normalised over the neurons."""
-        exponent = -0.5 * _squared_distances(points, self.positions) / self.parameters.sigma**2
-        return _normalised(exponent)
+        """Return omega (n, K): the basis at points (n, d), normalised over the neurons.
+
+        The basis is a product over the dimensions, and so are the responsibilities: n d M
+        exponentials are taken for M neurons per dimension, not n K.
+        """
+        omega, *others = (self._responsibilities_along(x) for x in points.T)
+        for share in others:
+            omega = (omega[:, :, None] * share[:, None, :]).reshape(len(points), -1)
+        return omega
 
     def interpolate(
         self, values: NDArray[np.float64], points: NDArray[np.float64]
     ) -> NDArray[np.float64]:
         """Return the mean of values (K,) by the responsibilities of points (n, d), as (n,).
 
-        The basis is a product over the dimensions, and so are the responsibilities:
-        n d M exponentials are taken for M neurons per dimension, not n K.
+        The plain reference of `GridMean`.
         """
         first, *others = (self._responsibilities_along(x) for x in points.T)
         mean = first @ values.reshape(len(self._axis), -1)

@@ -143,7 +143,6 @@ class AdapterNode(WorkspaceNode):
             self._update_times.record(seconds)
             self._keep_and_share(plan.stamp_ns)
         self._acknowledge(plan.stamp_ns, lesson, seconds)
-        self._learner.prepare()
         self._segment_path.publish(path_msg.to_msg(plan))
         self._executed_path.publish(path_msg.to_msg(learned.path))
 

@@ -136,7 +136,6 @@ class PlannerNode(WorkspaceNode):
         self._sequencer.sent(self._last_stamp, trajectory, now - began, now)
         self._tell()
         self.report_health()
-        self._session.planner.prepare()
         self._show_imagination()
 
     def health(self) -> Health:
