@@ -18,8 +18,8 @@ from srnn_planner.core.parameters import (
     NetworkParameters,
 )
 from srnn_planner.core.random_words import seeds
+from srnn_planner.core.sampler import Sampler
 from srnn_planner.core.sampling import SampleInput, activation, sample_spikes
-from srnn_planner.core.sampling_kernel import Sampler
 from srnn_planner.core.state_neurons import StateNeurons
 
 CONTEXT = ContextParameters(spike_probability_start=0.05, spike_probability_end=0.4)

@@ -23,7 +23,7 @@ from srnn_planner.core.parameters import (
 )
 from srnn_planner.core.random_words import seeds
 from srnn_planner.core.retreat import at_rest, back_off
-from srnn_planner.core.sampling_kernel import Sampler
+from srnn_planner.core.sampler import Sampler
 from srnn_planner.core.selection import select
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.trajectory import Motion, Trajectory, time_path

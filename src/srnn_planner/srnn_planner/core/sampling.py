@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sampling movements by running the network: the plain NumPy reference.
 
-`sampling_kernel` does the same fast, with other random numbers: its spikes have the same
+`sampler` does the same fast, with other random numbers: its spikes have the same
 distribution.
 """
 

@@ -16,12 +16,10 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.context import ContextPopulation
 from srnn_planner.core.exponential import LOWEST, exp
 from srnn_planner.core.intrinsics import lowest_bit
-from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.random_words import STEP, bernoulli_word, gap, uniform, word
-from srnn_planner.core.synapse_spans import ROOM, SynapseSpans, synapse_spans
+from srnn_planner.core.synapse_spans import ROOM
 
 SILENT = 2**30
 """Taken from the potential of a neuron that cannot spike: more than all others can give."""
@@ -38,198 +36,102 @@ class Law(NamedTuple):
     tau: int
     slope: float
     threshold: float
-    limit: float
     absolute: bool
     halvings: int
     """The limit is at most 2 to the minus this."""
     saturated: float
-    """Neurons above this spike with the limit of the probability."""
+    """Logarithm of the limit."""
     rare: float
-    """Neurons below `seldom` spike with at most this probability."""
+    """Neurons whose potential is below `seldom` spike with at most this probability."""
     seldom: float
 
 
-class Sampler:
-    """Samples movements by running the network.
+class _Cells(NamedTuple):
+    """What changes of the state neurons from step to step."""
 
-    Attributes:
-        law: when a neuron spikes.
-        synapses: the weights in use, once there are any.
+    u: NDArray[np.int32]
+    """Membrane potentials without what all of them have in common."""
+    last: NDArray[np.int32]
+    """(K,) step of the last spike."""
+    ring: NDArray[np.int32]
+    """(tau + 1, K) who spiked, by step modulo tau + 1: whose potentials end next."""
+    spiked: NDArray[np.int64]
+    """(tau + 1,) how many."""
 
-    """
 
-    def __init__(
-        self,
-        network: NetworkParameters,
-        positions: NDArray[np.float64],
-        bias: NDArray[np.float64],
-        context_max: float,
-    ) -> None:
-        """Take what stays the same.
+class _ContextCells(NamedTuple):
+    """Context neurons, 64 to a word."""
 
-        Args:
-            network: the network's parameters.
-            positions: (K, d) preferred positions of the state neurons.
-            bias: (K,) input of context neurons that spike all the time, at most 0.
-            context_max: largest input that all other context neurons give together.
-
-        """
-        rare = 0.5 ** np.ceil(np.log2(2.0 * len(positions)))
-        self.law = Law(
-            network.tau, network.slope, network.threshold, network.spike_probability_max,
-            network.refractory == 'absolute',
-            int(np.floor(-np.log2(network.spike_probability_max))),
-            float(np.log(network.spike_probability_max)), rare,
-            (network.threshold + np.log(rare)) / network.slope,
-        )  # fmt: skip
-        self._offset = network.weight_offset
-        self._positions = positions
-        self._bias = bias
-        self._others = float(np.abs(bias).max()) + context_max + abs(self.law.seldom)
-        self.synapses: SynapseSpans
-
-    def use_weights(self, weights: NDArray[np.float32]) -> None:
-        """Run the network with weights (K, K) from now on."""
-        self.synapses = synapse_spans(weights, self._offset, self._others)
-
-    def sample(
-        self,
-        context: ContextPopulation,
-        history: NDArray[np.int32],
-        seeds: NDArray[np.uint64],
-    ) -> tuple[NDArray[np.uint16], NDArray[np.float64]]:
-        """Run the network S times for T steps.
-
-        Args:
-            context: the active context population over T steps.
-            history: (S, K) step of each neuron's last spike before 0, see `draw_history`.
-            seeds: (S,) where the random numbers of each sample begin, see `random_words`.
-
-        Returns:
-            spikes: (T, K) how many of the samples spiked.
-            activity: (S, tau + T, d + 1) for each step, history included, the sum of the
-                positions of the neurons that spiked and, last, their number.
-
-        """
-        synapses = self.synapses
-        inputs = np.rint(context.weights * synapses.scale).astype(np.int32)
-        spikes_and_activity: tuple[NDArray[np.uint16], NDArray[np.float64]] = _sample(
-            synapses.first, synapses.start, synapses.values, synapses.rest, synapses.scale,
-            np.rint(self._bias * synapses.scale).astype(np.int32), inputs,
-            context.spike_probability, history, seeds, self._positions, self.law,
-        )  # fmt: skip
-        return spikes_and_activity
+    theta: NDArray[np.int32]
+    high: NDArray[np.int64]
+    """(N,) largest weight of each."""
+    wanted: NDArray[np.uint64]
+    fired: NDArray[np.uint64]
+    """(groups, tau + 1) who spiked, by step modulo tau + 1."""
+    active: NDArray[np.uint64]
 
 
 @numba.njit(cache=True, error_model='numpy')
-def _sample(
-    first, start, values, rest, scale, bias, theta, context_probability, history, seeds,
-    positions, law,
-):  # fmt: skip
+def sample(synapses, bias, theta, probability, history, seeds, positions, law):
+    """Run the network: see `sampler.Sampler.sample`.
+
+    Takes `SynapseSpans`, bias (K,) and context weights theta (N, K) as whole numbers, the
+    probability (T,) that a context neuron spikes, history (S, K), seeds (S,), positions (K, d).
+    """
     samples, neurons = history.shape
-    steps, tau = len(context_probability), law.tau
-    dimensions = positions.shape[1]
-    blocks = (neurons + LANES - 1) // LANES
+    steps, tau, dimensions = len(probability), law.tau, positions.shape[1]
     spikes = np.zeros((steps, neurons), dtype=np.uint16)
     activity = np.zeros((samples, tau + steps, dimensions + 1))
-    # Spans may end beyond the last neuron.
-    u = np.full(blocks * LANES + values.shape[1], -SILENT, dtype=np.int32)
-    last = np.empty(neurons, dtype=np.int32)
-    # Neurons by the step of their spike, modulo tau + 1: those whose potential ends next.
-    ring = np.empty((tau + 1, neurons), dtype=np.int32)
-    ring_count = np.zeros(tau + 1, dtype=np.int64)
+    blocks = (neurons + LANES - 1) // LANES
+    cells = _Cells(
+        # Spans may end beyond the last neuron.
+        np.full(blocks * LANES + synapses.values.shape[1], -SILENT, dtype=np.int32),
+        np.empty(neurons, dtype=np.int32),
+        np.empty((tau + 1, neurons), dtype=np.int32),
+        np.empty(tau + 1, dtype=np.int64),
+    )
+    context = _context_cells(theta, tau)
     met = np.empty(blocks * LANES, dtype=np.int32)
-    groups = (len(theta) + LANES - 1) // LANES
-    fired = np.empty((groups, tau + 1), dtype=np.uint64)
-    context = np.empty(groups, dtype=np.uint64)
-    wanted = np.full(groups, ~_ZERO)
-    wanted[-1] >>= np.uint64(groups * LANES - len(theta))
-    context_high = np.array([theta[j].max() for j in range(len(theta))], dtype=np.int64)
     bias_high = np.int64(bias.max())
-    seldom = np.int64(np.ceil(law.seldom * scale))
-    slope = law.slope / scale
+    seldom = np.int64(np.ceil(law.seldom * synapses.scale))
+    slope = law.slope / synapses.scale
     share, passing = 0.5**law.halvings, 1.0 / np.log1p(-law.rare)
     for s in range(samples):
         state = seeds[s]
-        u[:neurons] = bias
-        ring_count[:] = 0
-        context[:] = fired[:] = _ZERO
-        active, high = 0, bias_high
+        cells.u[:neurons] = bias
+        context.active[:] = context.fired[:] = _ZERO
+        active, earlier = _begin(synapses, cells, history[s], positions, activity[s], law)
         # Who was active in the last tau + 1 steps spiked in the last two stretches of as many.
-        low, end, earlier_low, earlier_end = neurons, 0, neurons, 0
-        for k in range(neurons):
-            last[k] = history[s, k]
-            if last[k] >= -tau:
-                slot = last[k] + tau + 1
-                ring[slot, ring_count[slot]] = k
-                ring_count[slot] += 1
-                for j in range(dimensions):
-                    activity[s, tau + last[k], j] += positions[k, j]
-                activity[s, tau + last[k], dimensions] += 1.0
-                _add(first, start, values, k, u)
-                earlier_low, earlier_end = _reach(
-                    first, start, values, k, earlier_low, earlier_end
-                )
-                active += 1
-                if law.absolute:
-                    u[k] -= SILENT
+        reach, high = (neurons, 0), bias_high
         to_pass = gap(state, passing)
         state += STEP
         slot = -1
         for t in range(steps + 1):
-            for n in range(ring_count[slot] if t > 0 else 0):
-                k = ring[slot, n]
-                spikes[t - 1, k] += 1
-                for j in range(dimensions):
-                    activity[s, tau + t - 1, j] += positions[k, j]
-                low, end = _reach(first, start, values, k, low, end)
-                if t - 1 - last[k] > tau:
-                    _add(first, start, values, k, u)
-                    active += 1
-                    if law.absolute:
-                        u[k] -= SILENT
-                last[k] = t - 1
             if t > 0:
-                activity[s, tau + t - 1, dimensions] = ring_count[slot]
+                active, reach = _take_in(synapses, cells, law, t - 1, slot, active, reach)
+                for n in range(cells.spiked[slot]):
+                    k = cells.ring[slot, n]
+                    spikes[t - 1, k] += 1
+                    for j in range(dimensions):
+                        activity[s, tau + t - 1, j] += positions[k, j]
+                activity[s, tau + t - 1, dimensions] = cells.spiked[slot]
             if t == steps:
                 break
             slot += 1
             if slot > tau:
-                slot, earlier_low, earlier_end, low, end = 0, low, end, neurons, 0
-            for n in range(ring_count[slot]):
-                k = ring[slot, n]
-                if t - last[k] == tau + 1:
-                    _take(first, start, values, k, u)
-                    active -= 1
-                    if law.absolute:
-                        u[k] += SILENT
-            for group in range(groups):
-                # Of y~ the spikes of the step before begin, those of t - tau - 1 end.
-                fired[group, slot] = _ZERO
-                now = _ZERO
-                for lag in range(tau + 1):
-                    now |= fired[group, lag]
-                fired[group, slot], state = bernoulli_word(
-                    state, context_probability[t], wanted[group]
-                )
-                changed = now ^ context[group]
-                context[group] = now
-                while changed != _ZERO:
-                    j = lowest_bit(changed)
-                    changed &= changed - _ONE
-                    ends = (now >> np.uint64(j)) & _ONE == _ZERO
-                    j += group * LANES
-                    high += _switch(u, theta, j, context_high[j], ends)
-            common = active * rest
+                slot, earlier, reach = 0, reach, (neurons, 0)
+            active = _end(synapses, cells, law, t, slot, active)
+            high, state = _advance_context(context, cells.u, slot, high, probability[t], state)
+            common = active * synapses.rest
             likely = min(seldom - common, np.int64(ROOM))
-            if high > likely:
-                first_block, last_block = 0, blocks
-            else:
-                first_block = min(low, earlier_low) // LANES
-                last_block = min((max(end, earlier_end) + LANES - 1) // LANES, blocks)
+            first_block, last_block = 0, blocks
+            if high <= likely:
+                first_block = min(reach[0], earlier[0]) // LANES
+                end = (max(reach[1], earlier[1]) + LANES - 1) // LANES
+                last_block = min(end, blocks)
             count = 0
             for block in range(first_block, last_block):
-                above = _above(u, np.int32(likely), block)
+                above = _above(cells.u, np.int32(likely), block)
                 if above == _ZERO:
                     continue
                 for _ in range(law.halvings):
@@ -243,23 +145,110 @@ def _sample(
             for n in range(count):
                 k = met[n]
                 # Written in any case, and kept by whoever spikes: to guess would be slower.
-                ring[slot, spiked] = k
+                cells.ring[slot, spiked] = k
                 spiked += share * uniform(state) < _probability(
-                    law, slope, u[k] + common, t - last[k]
+                    law, slope, cells.u[k] + common, t - cells.last[k]
                 )
                 state += STEP
             while to_pass < neurons:
                 k = to_pass
-                if u[k] <= likely and not (law.absolute and t - last[k] <= tau):
-                    ring[slot, spiked] = k
+                silent = law.absolute and t - cells.last[k] <= tau
+                if cells.u[k] <= likely and not silent:
+                    cells.ring[slot, spiked] = k
                     spiked += law.rare * uniform(state) < _probability(
-                        law, slope, u[k] + common, t - last[k]
+                        law, slope, cells.u[k] + common, t - cells.last[k]
                     )
                 to_pass += 1 + gap(state + STEP, passing)
                 state += STEP + STEP
-            ring_count[slot] = spiked
+            cells.spiked[slot] = spiked
             to_pass -= neurons
     return spikes, activity
+
+
+@numba.njit(cache=True, error_model='numpy')
+def _context_cells(theta, tau):
+    groups = (len(theta) + LANES - 1) // LANES
+    wanted = np.full(groups, ~_ZERO)
+    wanted[-1] >>= np.uint64(groups * LANES - len(theta))
+    high = np.array([theta[j].max() for j in range(len(theta))], dtype=np.int64)
+    fired = np.empty((groups, tau + 1), dtype=np.uint64)
+    return _ContextCells(theta, high, wanted, fired, np.empty(groups, dtype=np.uint64))
+
+
+@numba.njit(cache=True, error_model='numpy', forceinline=True)
+def _begin(synapses, cells, history, positions, activity, law):
+    """Take in what was before step 0; return how many are active, and whom they reach."""
+    tau, dimensions = law.tau, positions.shape[1]
+    active, reach = 0, (len(history), 0)
+    cells.spiked[:] = 0
+    for k in range(len(history)):
+        last = history[k]
+        cells.last[k] = last
+        if last >= -tau:
+            slot = last + tau + 1
+            cells.ring[slot, cells.spiked[slot]] = k
+            cells.spiked[slot] += 1
+            for j in range(dimensions):
+                activity[tau + last, j] += positions[k, j]
+            activity[tau + last, dimensions] += 1.0
+            _add(synapses, k, cells.u)
+            reach = _reached(synapses, k, reach)
+            active += 1
+            if law.absolute:
+                cells.u[k] -= SILENT
+    return active, reach
+
+
+@numba.njit(cache=True, error_model='numpy', forceinline=True)
+def _take_in(synapses, cells, law, t, slot, active, reach):
+    """Begin the potentials of those that spiked at t; return who is active and in reach."""
+    for n in range(cells.spiked[slot]):
+        k = cells.ring[slot, n]
+        reach = _reached(synapses, k, reach)
+        if t - cells.last[k] > law.tau:
+            _add(synapses, k, cells.u)
+            active += 1
+            if law.absolute:
+                cells.u[k] -= SILENT
+        cells.last[k] = t
+    return active, reach
+
+
+@numba.njit(cache=True, error_model='numpy', forceinline=True)
+def _end(synapses, cells, law, t, slot, active):
+    """End the potentials of those that have not spiked since t - tau - 1."""
+    for n in range(cells.spiked[slot]):
+        k = cells.ring[slot, n]
+        if t - cells.last[k] == law.tau + 1:
+            _take(synapses, k, cells.u)
+            active -= 1
+            if law.absolute:
+                cells.u[k] += SILENT
+    return active
+
+
+@numba.njit(cache=True, error_model='numpy', forceinline=True)
+def _advance_context(context, u, slot, high, probability, state):
+    """Advance y~ by a step, and draw who spikes in it; return the largest input it can give."""
+    for group in range(len(context.active)):
+        context.fired[group, slot] = _ZERO
+        now = _ZERO
+        for lag in range(context.fired.shape[1]):
+            now |= context.fired[group, lag]
+        context.fired[group, slot], state = bernoulli_word(
+            state, probability, context.wanted[group]
+        )
+        changed = now ^ context.active[group]
+        context.active[group] = now
+        while changed != _ZERO:
+            bit = lowest_bit(changed)
+            changed &= changed - _ONE
+            j = group * LANES + bit
+            sign = np.int32(1 if (now >> np.uint64(bit)) & _ONE else -1)
+            for i in range(np.uint64(context.theta.shape[1])):
+                u[np.uint64(i)] += sign * context.theta[j, np.uint64(i)]
+            high += sign * context.high[j]
+    return high, state
 
 
 @numba.njit(cache=True, error_model='numpy')
@@ -281,35 +270,27 @@ def _above(u, likely, block):
 
 
 @numba.njit(cache=True, error_model='numpy')
-def _reach(first, start, values, k, low, end):
+def _reached(synapses, k, reach):
     """Widen a range of neurons by those that neuron k reaches."""
-    begin, after = first[k], first[k + 1]
+    begin, after = synapses.first[k], synapses.first[k + 1]
     if begin == after:
-        return low, end
-    return min(low, start[begin]), max(end, start[after - 1] + values.shape[1])
+        return reach
+    end = synapses.start[after - 1] + synapses.values.shape[1]
+    return min(reach[0], synapses.start[begin]), max(reach[1], end)
 
 
 @numba.njit(cache=True, error_model='numpy')
-def _add(first, start, values, k, u):
-    for n in range(first[k], first[k + 1]):
+def _add(synapses, k, u):
+    for n in range(synapses.first[k], synapses.first[k + 1]):
         # Unsigned, or numba makes room for indices that count from the end.
-        low, span = np.uint64(start[n]), values[n]
+        low, span = np.uint64(synapses.start[n]), synapses.values[n]
         for i in range(np.uint64(len(span))):
             u[low + np.uint64(i)] += span[np.uint64(i)]
 
 
 @numba.njit(cache=True, error_model='numpy')
-def _take(first, start, values, k, u):
-    for n in range(first[k], first[k + 1]):
-        low, span = np.uint64(start[n]), values[n]
+def _take(synapses, k, u):
+    for n in range(synapses.first[k], synapses.first[k + 1]):
+        low, span = np.uint64(synapses.start[n]), synapses.values[n]
         for i in range(np.uint64(len(span))):
             u[low + np.uint64(i)] -= span[np.uint64(i)]
-
-
-@numba.njit(cache=True, error_model='numpy')
-def _switch(u, theta, j, high, ends):
-    """Begin or end the input of context neuron j; return the change of the largest one."""
-    sign = np.int32(-1 if ends else 1)
-    for i in range(np.uint64(theta.shape[1])):
-        u[np.uint64(i)] += sign * theta[j, np.uint64(i)]
-    return -high if ends else high

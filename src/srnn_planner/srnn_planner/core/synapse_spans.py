@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recurrent weights as the sampler reads them: whole numbers, without what is at rest."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +16,7 @@ WIDTH = 16
 """Spans begin and end at multiples of this many neurons, as registers do."""
 
 
-@dataclass(frozen=True, eq=False)
-class SynapseSpans:
+class SynapseSpans(NamedTuple):
     """Synapses that differ from those at rest, in spans of consecutive postsynaptic neurons.
 
     Sums of whole numbers are exact in any order: what a spike has added to a potential, its

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sampling movements by running the network, fast."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from srnn_planner.core import sampling_kernel
+from srnn_planner.core.context import ContextPopulation
+from srnn_planner.core.parameters import NetworkParameters
+from srnn_planner.core.sampling_kernel import Law
+from srnn_planner.core.synapse_spans import SynapseSpans, synapse_spans
+
+
+class Sampler:
+    """Samples movements by running the network.
+
+    Attributes:
+        law: when a neuron spikes.
+        synapses: the weights in use, once there are any.
+
+    """
+
+    def __init__(
+        self,
+        network: NetworkParameters,
+        positions: NDArray[np.float64],
+        bias: NDArray[np.float64],
+        context_max: float,
+    ) -> None:
+        """Take what stays the same.
+
+        Args:
+            network: the network's parameters.
+            positions: (K, d) preferred positions of the state neurons.
+            bias: (K,) input of context neurons that spike all the time, at most 0.
+            context_max: largest input that all other context neurons give together.
+
+        """
+        rare = 0.5 ** np.ceil(np.log2(2.0 * len(positions)))
+        self.law = Law(
+            tau=network.tau,
+            slope=network.slope,
+            threshold=network.threshold,
+            absolute=network.refractory == 'absolute',
+            halvings=int(np.floor(-np.log2(network.spike_probability_max))),
+            saturated=float(np.log(network.spike_probability_max)),
+            rare=rare,
+            seldom=(network.threshold + np.log(rare)) / network.slope,
+        )
+        self._offset = network.weight_offset
+        self._positions = positions
+        self._bias = bias
+        self._others = float(np.abs(bias).max()) + context_max + abs(self.law.seldom)
+        self.synapses: SynapseSpans
+
+    def use_weights(self, weights: NDArray[np.float32]) -> None:
+        """Run the network with weights (K, K) from now on."""
+        self.synapses = synapse_spans(weights, self._offset, self._others)
+
+    def sample(
+        self,
+        context: ContextPopulation,
+        history: NDArray[np.int32],
+        seeds: NDArray[np.uint64],
+    ) -> tuple[NDArray[np.uint16], NDArray[np.float64]]:
+        """Run the network S times for T steps.
+
+        Args:
+            context: the active context population over T steps.
+            history: (S, K) step of each neuron's last spike before 0, see `draw_history`.
+            seeds: (S,) where the random numbers of each sample begin, see `random_words`.
+
+        Returns:
+            spikes: (T, K) how many of the samples spiked.
+            activity: (S, tau + T, d + 1) for each step, history included, the sum of the
+                positions of the neurons that spiked and, last, their number.
+
+        """
+        scale = self.synapses.scale
+        spikes, activity = sampling_kernel.sample(
+            self.synapses, _whole(self._bias * scale), _whole(context.weights * scale),
+            context.spike_probability, history, seeds, self._positions, self.law,
+        )  # fmt: skip
+        return spikes, activity
+
+
+def _whole(numbers: NDArray[np.float64]) -> NDArray[np.int32]:
+    return np.rint(numbers).astype(np.int32)
