@@ -19,13 +19,20 @@ def lowest_bit(typing_context: Any, word: Any) -> Any:
 
 
 @intrinsic  # type: ignore[untyped-decorator]
-def power_of_two(typing_context: Any, exponent: Any) -> Any:
-    """Return 2 to an exponent from -1022 to 1023."""
+def bits_of(typing_context: Any, number: Any) -> Any:
+    """Return the bits of a number of 64 bits as a whole number."""
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        biased = builder.add(arguments[0], ir.Constant(ir.IntType(64), 1023))
-        return builder.bitcast(
-            builder.shl(biased, ir.Constant(ir.IntType(64), 52)), ir.DoubleType()
-        )
+        return builder.bitcast(arguments[0], ir.IntType(64))
+
+    return types.int64(types.float64), code
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def number_of(typing_context: Any, bits: Any) -> Any:
+    """Return the number that has these bits."""
+
+    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return builder.bitcast(arguments[0], ir.DoubleType())
 
     return types.float64(types.int64), code

@@ -9,6 +9,8 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.elementary import log
+
 STEP = np.uint64(0x9E3779B97F4A7C15)
 _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
 _A, _B, _C = np.uint64(30), np.uint64(27), np.uint64(31)
@@ -43,7 +45,8 @@ def gap(state, scale):
         scale: 1 / log(1 - p) for the probability p of success.
 
     """
-    return np.int64(np.log1p(-uniform(state)) * scale)
+    # 1 - u is never 0.
+    return np.int64(log(1.0 - uniform(state)) * scale)
 
 
 @numba.njit(cache=True)

@@ -16,7 +16,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.exponential import LOWEST, exp
+from srnn_planner.core.elementary import LOWEST, exp
 from srnn_planner.core.intrinsics import lowest_bit
 from srnn_planner.core.random_words import STEP, bernoulli_word, gap, uniform, word
 from srnn_planner.core.synapse_spans import ROOM
@@ -233,8 +233,9 @@ def _advance_context(context, u, slot, high, probability, state):
     for group in range(len(context.active)):
         context.fired[group, slot] = _ZERO
         now = _ZERO
-        for lag in range(context.fired.shape[1]):
-            now |= context.fired[group, lag]
+        # Unsigned, or numba makes room for indices that count from the end.
+        for lag in range(np.uint64(context.fired.shape[1])):
+            now |= context.fired[np.uint64(group), lag]
         context.fired[group, slot], state = bernoulli_word(
             state, probability, context.wanted[group]
         )
@@ -282,7 +283,6 @@ def _reached(synapses, k, reach):
 @numba.njit(cache=True, error_model='numpy')
 def _add(synapses, k, u):
     for n in range(synapses.first[k], synapses.first[k + 1]):
-        # Unsigned, or numba makes room for indices that count from the end.
         low, span = np.uint64(synapses.start[n]), synapses.values[n]
         for i in range(np.uint64(len(span))):
             u[low + np.uint64(i)] += span[np.uint64(i)]
