@@ -1,146 +1,196 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compares the compiled kernels with their NumPy references, and times whole steps.
+"""Times one plan and one update: whole, in parts, against NumPy and against a lower bound.
 
-Run: .venv/bin/python bench/kernels.py [--json FILE]
+Run: .venv/bin/python bench/kernels.py [--repeats N] [--steps T] [--json FILE] [--out FILE]
 
 Times depend on the machine; the ratios are taken in one run, calls in turn.
 """
 
 import argparse
 from collections.abc import Callable
+from dataclasses import asdict, replace
+from functools import partial
 import json
 from pathlib import Path
-import time
 
+import lower_bound
 import numpy as np
+from timing import Times, machine, times_ms
 
 from srnn_planner.core import plasticity, plasticity_kernel
 from srnn_planner.core.adapter import Learner
-from srnn_planner.core.context import draw_centres, way_point_population
-from srnn_planner.core.encoding import draw_history, spike_probability
+from srnn_planner.core.context import ContextPopulation
+from srnn_planner.core.decoding import decode, spike_activity, window
+from srnn_planner.core.dissonance import experienced
+from srnn_planner.core.encoding import draw_history, encode, spike_probability
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
-from srnn_planner.core.planner import PlanRequest, SegmentPlanner
+from srnn_planner.core.planner import Goal, PlanRequest, SegmentPlanner, segment_along
 from srnn_planner.core.plasticity import Experience
+from srnn_planner.core.random_words import seeds
 from srnn_planner.core.retreat import at_rest
-from srnn_planner.core.sampling import SampleInput, sample_spikes, thin
-from srnn_planner.core.sampling_kernel import sample_activity
+from srnn_planner.core.sampler import Sampler
+from srnn_planner.core.sampling import SampleInput, sample_spikes
+from srnn_planner.core.selection import select
 
-MODEL, PLANNING = ModelParameters(), PlanningParameters()
-TARGET = np.array([0.5, -0.5])
+MODEL = ModelParameters()
+HERE, TARGET = np.zeros(2), np.array([0.5, -0.5])
+REQUEST = PlanRequest(HERE, at_rest(HERE), TARGET, 0.1)
+STOP = 0.5
+"""The execution that is learned from stops after this share of the plan."""
+
+Calls = dict[str, Callable[[], object]]
 
 
-def times_ms(*calls: Callable[[], object], repeats: int) -> list[dict[str, float]]:
-    """Time several calls in turn, so that all of them see the same machine."""
-    spent: list[list[float]] = [[] for _ in calls]
-    for call in calls:
-        call()
-    for _ in range(repeats):
-        for call, row in zip(calls, spent, strict=True):
-            began = time.perf_counter()
-            call()
-            row.append(1e3 * (time.perf_counter() - began))
-    return [
-        {
-            'mean': float(np.mean(row)),
-            'sd': float(np.std(row)),
-            'p50': float(np.percentile(row, 50)),
-            'p99': float(np.percentile(row, 99)),
+class PlanningCalls:
+    """Planning one segment, with what one touch has taught: whole and in parts."""
+
+    def __init__(self, steps: int) -> None:
+        """Plan segments of so many steps."""
+        planning = PlanningParameters()
+        self.planning = replace(planning, sampling=replace(planning.sampling, steps=steps))
+        self.planner = SegmentPlanner(MODEL, self.planning, np.random.default_rng(3))
+        learner = Learner(MODEL, np.random.default_rng(4))
+        learner.learn(*touch(steps))
+        self.planner.use_weights(learner.weights)
+        self.rng = np.random.default_rng(5)
+        self.goal: Goal = self.planner._goal(TARGET)
+        self.sampler = Sampler(
+            MODEL.network, self.planner.neurons.positions, np.zeros(MODEL.network.neurons),
+            planning.context.amplitude,
+        )  # fmt: skip
+        self.sampler.use_weights(learner.weights)
+        self.window = window(steps, MODEL.network.tau, planning.sampling.decode_sigma)
+
+    def history(self) -> np.ndarray:
+        """Draw what was before the segment."""
+        omega = self.planner.neurons.responsibilities(HERE[None])[0]
+        return draw_history(
+            spike_probability(omega, MODEL.learning), self.planning.sampling.samples,
+            MODEL.network.tau, self.rng,
+        )  # fmt: skip
+
+    def given(self, context: ContextPopulation) -> SampleInput:
+        """Draw all random numbers of the reference."""
+        size = (self.planning.sampling.samples, self.planning.sampling.steps)
+        return SampleInput(
+            self.planner.weights, context, np.zeros(MODEL.network.neurons), self.history(),
+            self.rng.random((*size, MODEL.network.neurons), dtype=np.float32),
+            self.rng.random((*size, len(context.weights)), dtype=np.float32),
+        )  # fmt: skip
+
+    def sample(self) -> tuple[np.ndarray, np.ndarray]:
+        """Sample as the planner does."""
+        count = self.planning.sampling.samples
+        return self.sampler.sample(self.goal.context, self.history(), seeds(self.rng, count))
+
+    def sample_in_numpy(self) -> np.ndarray:
+        """Sample as the reference does."""
+        given = self.given(self.goal.context)
+        spikes = sample_spikes(MODEL.network, given)
+        positions = self.planner.neurons.positions
+        return spike_activity(spikes, given.history, positions, MODEL.network.tau)
+
+    def calls(self) -> Calls:
+        """Return what is timed."""
+        history, states = self.history(), seeds(self.rng, self.planning.sampling.samples)
+        _, activity = self.sampler.sample(self.goal.context, history, states)
+        paths, _ = decode(activity, self.window)
+        cost = partial(self.planner._cost, REQUEST, self.goal)
+        average = MODEL.workspace.to_metres(paths[:4].mean(axis=0))
+        extent = MODEL.workspace.half_extent
+        work = lower_bound.work(
+            MODEL.network, self.given(self.goal.context), self.sampler
+        )
+        return {
+            'plan': lambda: self.planner.plan(REQUEST),
+            'goal: ways and context': lambda: self.planner._goal(TARGET),
+            'sampling': self.sample,
+            'decoding': lambda: decode(activity, self.window),
+            'selection': lambda: select(paths, self.planning.selection, cost),
+            'segment': lambda: segment_along(average, REQUEST, self.planning.trajectory, extent),
+            'sampling in NumPy': self.sample_in_numpy,
+            f'bound: {work.words} random words': lambda: lower_bound.draw(work.words),
+            f'bound: {len(work.rows)} rows of weights': lambda: lower_bound.add(
+                self.sampler.synapses, work.rows
+            ),
         }
-        for row in spent
-    ]
 
 
-def sampling_calls() -> tuple[Callable[[], object], Callable[[], object]]:
-    """Return kernel and reference of the sampler on the same input."""
-    rng = np.random.default_rng(1)
-    planner = SegmentPlanner(MODEL, PLANNING, rng)
-    neurons, network, sampling = planner.neurons, MODEL.network, PLANNING.sampling
-    context = way_point_population(
-        draw_centres(TARGET, PLANNING.context, rng),
-        neurons.positions, sampling.steps, PLANNING.context,
-    )
-    start = spike_probability(neurons.responsibilities(np.zeros((1, 2)))[0], MODEL.learning)
-    size = (sampling.samples, sampling.steps)
-    given = SampleInput(
-        neurons.prior_weights,
-        context,
-        np.zeros(network.neurons),
-        draw_history(start, sampling.samples, network.tau, rng),
-        thin(
-            rng.random((*size, network.neurons), dtype=np.float32), network.spike_probability_max
-        ),
-        rng.random((*size, PLANNING.context.neurons), dtype=np.float32),
-    )
-    return (
-        lambda: sample_activity(network, neurons.positions, given),
-        lambda: sample_spikes(network, given),
-    )
-
-
-def touch() -> tuple[np.ndarray, np.ndarray]:
+def touch(steps: int) -> tuple[np.ndarray, np.ndarray]:
     """Return a plan of one segment and an execution that stops halfway [m]."""
-    plan = np.linspace([-0.03, 0.0], [0.07, 0.0], PLANNING.sampling.steps)
+    plan = np.linspace([-0.03, 0.0], [0.07, 0.0], steps)
     executed = plan.copy()
-    executed[len(plan) // 2 :] = plan[len(plan) // 2]
+    executed[round(STOP * steps) :] = plan[round(STOP * steps)]
     return plan, executed
 
 
-def replay_calls() -> tuple[Callable[[], object], Callable[[], object]]:
-    """Return kernel and reference of the replay on the same experience."""
-    rng = np.random.default_rng(2)
-    learner = Learner(MODEL, rng)
-    plan, executed = (path / MODEL.workspace.half_extent for path in touch())
-    mental_omega, executed_omega = map(learner.neurons.responsibilities, (plan, executed))
-    experience = Experience(
-        spike_probability(executed_omega, MODEL.learning),
-        spike_probability(mental_omega, MODEL.learning),
-        3.0 * (mental_omega - executed_omega) ** 2,
-    )
-    size = (MODEL.learning.replays, 2, *mental_omega.shape)
-    uniforms = rng.random(size, dtype=np.float32)
-    arguments = (learner.weights, experience, uniforms, MODEL.network.tau)
-    return (
-        lambda: plasticity_kernel.replay(*arguments),
-        lambda: plasticity.replay(*arguments),
-    )
-
-
-def measure(repeats: int) -> dict[str, object]:
-    """Return the figures of one run."""
-    planner = SegmentPlanner(MODEL, PLANNING, np.random.default_rng(3))
+def update_calls(steps: int) -> Calls:
+    """Return learning from one segment: whole, its replay, and the same in NumPy."""
     learner = Learner(MODEL, np.random.default_rng(4))
-    request = PlanRequest(np.zeros(2), at_rest(np.zeros(2)), TARGET, 0.1)
-    planning, update = times_ms(
-        lambda: planner.plan(request), lambda: learner.learn(*touch()), repeats=repeats
-    )
-    kernel, reference = times_ms(*sampling_calls(), repeats=max(5, repeats // 5))
-    fast, slow = times_ms(*replay_calls(), repeats=max(5, repeats // 5))
+    mismatch = experienced(MODEL, learner.neurons, *touch(steps))
+    experience: Experience = learner._experience(mismatch, learner._signal.rates(mismatch))
+    rng, tau, replays = np.random.default_rng(2), MODEL.network.tau, MODEL.learning.replays
+    weights = learner.neurons.prior_weights
+
+    def in_numpy() -> np.ndarray:
+        size = experience.executed.shape
+        trains = (
+            (
+                encode(experience.executed, rng.random(size), tau),
+                encode(experience.mental, rng.random(size), tau),
+            )
+            for _ in range(replays)
+        )
+        return plasticity.replay(weights, experience, trains, tau)
+
     return {
-        'planning_ms': planning,
-        'update_ms': update,
-        'sampling_kernel_ms': kernel,
-        'sampling_numpy_ms': reference,
-        'planning_ratio_vs_numpy': reference['p50'] / kernel['p50'],
-        'replay_kernel_ms': fast,
-        'replay_numpy_ms': slow,
-        'update_ratio_vs_numpy': slow['p50'] / fast['p50'],
+        'update': lambda: learner.learn(*touch(steps)),
+        'replay': lambda: plasticity_kernel.replay(
+            weights, experience, seeds(rng, replays), tau
+        ),
+        'replay in NumPy': in_numpy,
     }
 
 
+def table(times: dict[str, Times], steps: int) -> str:
+    """Return all times and what follows from them, in Markdown."""
+    bound = sum(t.least for name, t in times.items() if name.startswith('bound'))
+    sampling, reference = times['sampling'], times['sampling in NumPy']
+    rest = times['plan'].p50 - sampling.p50
+    lines = [
+        f'{machine()}: 40 samples of {steps} steps, {MODEL.network.neurons} neurons, '
+        f'{MODEL.learning.replays} replays.', '',
+        '| | p50 | p99 | least |', '|---|---|---|---|',
+        *(f'| {name} | {t.p50:.3f} ms | {t.p99:.3f} ms | {t.least:.3f} ms |'
+          for name, t in times.items()),
+        '',
+        f'- Planning is {(reference.p50 + rest) / times["plan"].p50:.1f} times as fast as with '
+        f'the sampler in NumPy, sampling {reference.p50 / sampling.p50:.1f} times, the replay '
+        f'{times["replay in NumPy"].p50 / times["replay"].p50:.0f} times.',
+        f'- Sampling takes {sampling.least / bound:.1f} times what its random words and its '
+        'weights take alone (least times).',
+    ]  # fmt: skip
+    return '\n'.join(lines)
+
+
 def main() -> None:
-    """Print the figures, and write them as JSON if asked."""
+    """Print the figures, and write them if asked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--repeats', type=int, default=100, help='timed calls (default 100)')
+    parser.add_argument('--repeats', type=int, default=300, help='timed calls (default 300)')
+    parser.add_argument('--steps', type=int, default=40, help='steps of a segment (default 40)')
     parser.add_argument('--json', type=Path, metavar='FILE', help='write the figures as JSON')
-    arguments = parser.parse_args()
-    figures = measure(arguments.repeats)
-    for name, value in figures.items():
-        text = f'{value:.1f}' if isinstance(value, float) else json.dumps(
-            {k: round(v, 2) for k, v in value.items()}
-        )
-        print(f'{name:26} {text}')
-    if arguments.json:
-        arguments.json.write_text(json.dumps(figures, indent=2) + '\n', encoding='utf-8')
+    parser.add_argument('--out', type=Path, metavar='FILE', help='write the table')
+    options = parser.parse_args()
+    calls = {**PlanningCalls(options.steps).calls(), **update_calls(options.steps)}
+    measured = times_ms(*calls.values(), repeats=options.repeats)
+    times = dict(zip(calls, measured, strict=True))
+    text = table(times, options.steps)
+    print(text)
+    if options.out:
+        options.out.write_text(text + '\n', encoding='utf-8')
+    if options.json:
+        figures = {name: asdict(t) for name, t in times.items()}
+        options.json.write_text(json.dumps(figures, indent=2) + '\n', encoding='utf-8')
 
 
 if __name__ == '__main__':

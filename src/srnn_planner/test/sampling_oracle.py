@@ -79,14 +79,13 @@ def sample(sampler, context, history, seeds, positions, bias):
                 since = t - last[k]
                 return value * since / tau if since <= tau else value
 
-            met = np.zeros(0, dtype=int)
+            above = likely.copy()
             for first in range(0, neurons, 64):
-                above = [k for k in range(first, min(first + 64, neurons)) if likely[k]]
-                for _ in range(law.halvings if above else 0):
-                    word = words.word()
-                    above = [k for k in above if word >> (k % 64) & 1]
-                met = np.append(met, above).astype(int)
-            now = [k for k in met if 0.5**law.halvings * words.uniform() < probability(k)]
+                for _ in range(law.halvings):
+                    bits = words.word() >> np.arange(64, dtype=object) & 1
+                    above[first : first + 64] &= bits.astype(bool)[: neurons - first]
+            share = 0.5**law.halvings
+            now = [k for k in np.flatnonzero(above) if share * words.uniform() < probability(k)]
             while to_pass < neurons:
                 k, draw = to_pass, law.rare * words.uniform()
                 if not likely[k] and not silent[k] and draw < probability(k):

@@ -9,6 +9,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.elementary import LOWEST, exp
 from srnn_planner.core.parameters import NetworkParameters
 
 NEGLIGIBLE = 1e-8
@@ -91,8 +92,11 @@ def _share(x, fall, grid, first, share):
     nearest = _nearest(x, grid)
     middle = nearest - first
     # exp(-(a - j h)^2 / 2 s^2), relative to j = 0, is exp(a h / s^2)^j exp(-(j h)^2 / 2 s^2).
-    up = np.exp((x - (nearest * spacing - 1.0)) * steepness)
+    exponent = (x - (nearest * spacing - 1.0)) * steepness
+    up = exp(max(-abs(exponent), LOWEST))
     down = 1.0 / up
+    if exponent > 0.0:
+        up, down = down, up
     share[middle] = total = power = 1.0
     for j in range(1, min(len(fall), side - nearest)):
         power *= up

@@ -91,7 +91,6 @@ def sample(synapses, bias, theta, probability, history, seeds, positions, law):
         np.empty(tau + 1, dtype=np.int64),
     )
     context = _context_cells(theta, tau)
-    met = np.empty(blocks * LANES, dtype=np.int32)
     bias_high = np.int64(bias.max())
     seldom = np.int64(np.ceil(law.seldom * synapses.scale))
     slope = law.slope / synapses.scale
@@ -109,10 +108,11 @@ def sample(synapses, bias, theta, probability, history, seeds, positions, law):
         for t in range(steps + 1):
             if t > 0:
                 active, reach = _take_in(synapses, cells, law, t - 1, slot, active, reach)
-                for n in range(cells.spiked[slot]):
-                    k = cells.ring[slot, n]
+                # Unsigned, or numba makes room for indices that count from the end.
+                for n in range(np.uint64(cells.spiked[slot])):
+                    k = np.uint64(cells.ring[slot, n])
                     spikes[t - 1, k] += 1
-                    for j in range(dimensions):
+                    for j in range(np.uint64(dimensions)):
                         activity[s, tau + t - 1, j] += positions[k, j]
                 activity[s, tau + t - 1, dimensions] = cells.spiked[slot]
             if t == steps:
@@ -129,27 +129,25 @@ def sample(synapses, bias, theta, probability, history, seeds, positions, law):
                 first_block = min(reach[0], earlier[0]) // LANES
                 end = (max(reach[1], earlier[1]) + LANES - 1) // LANES
                 last_block = min(end, blocks)
-            count = 0
+            spiked = 0
+            # These words are numbered, not drawn one after the other: whoever is out of reach
+            # can leave its own out.
+            halving = state + np.uint64(first_block * law.halvings) * STEP
+            state += np.uint64(blocks * law.halvings) * STEP
             for block in range(first_block, last_block):
                 above = _above(cells.u, np.int32(likely), block)
-                if above == _ZERO:
-                    continue
                 for _ in range(law.halvings):
-                    above &= word(state)
-                    state += STEP
+                    above &= word(halving)
+                    halving += STEP
                 while above != _ZERO:
-                    met[count] = block * LANES + lowest_bit(above)
-                    count += 1
+                    k = block * LANES + lowest_bit(above)
                     above &= above - _ONE
-            spiked = 0
-            for n in range(count):
-                k = met[n]
-                # Written in any case, and kept by whoever spikes: to guess would be slower.
-                cells.ring[slot, spiked] = k
-                spiked += share * uniform(state) < _probability(
-                    law, slope, cells.u[k] + common, t - cells.last[k]
-                )
-                state += STEP
+                    # Written in any case, and kept by whoever spikes: to guess would be slower.
+                    cells.ring[slot, spiked] = k
+                    spiked += share * uniform(state) < _probability(
+                        law, slope, cells.u[k] + common, t - cells.last[k]
+                    )
+                    state += STEP
             while to_pass < neurons:
                 k = to_pass
                 silent = law.absolute and t - cells.last[k] <= tau
@@ -233,7 +231,6 @@ def _advance_context(context, u, slot, high, probability, state):
     for group in range(len(context.active)):
         context.fired[group, slot] = _ZERO
         now = _ZERO
-        # Unsigned, or numba makes room for indices that count from the end.
         for lag in range(np.uint64(context.fired.shape[1])):
             now |= context.fired[np.uint64(group), lag]
         context.fired[group, slot], state = bernoulli_word(
