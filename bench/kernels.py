@@ -15,6 +15,7 @@ from pathlib import Path
 
 import lower_bound
 import numpy as np
+from threadpoolctl import threadpool_limits
 from timing import Times, machine, times_ms
 
 from srnn_planner.core import plasticity, plasticity_kernel
@@ -78,11 +79,6 @@ class PlanningCalls:
             self.rng.random((*size, len(context.weights)), dtype=np.float32),
         )  # fmt: skip
 
-    def sample(self) -> tuple[np.ndarray, np.ndarray]:
-        """Sample as the planner does."""
-        count = self.planning.sampling.samples
-        return self.sampler.sample(self.goal.context, self.history(), seeds(self.rng, count))
-
     def sample_in_numpy(self) -> np.ndarray:
         """Sample as the reference does."""
         given = self.given(self.goal.context)
@@ -92,8 +88,10 @@ class PlanningCalls:
 
     def calls(self) -> Calls:
         """Return what is timed."""
-        history, states = self.history(), seeds(self.rng, self.planning.sampling.samples)
-        _, activity = self.sampler.sample(self.goal.context, history, states)
+        history = self.history()
+        _, activity = self.sampler.sample(
+            self.goal.context, history, seeds(self.rng, len(history))
+        )
         paths, _ = decode(activity, self.window)
         cost = partial(self.planner._cost, REQUEST, self.goal)
         average = MODEL.workspace.to_metres(paths[:4].mean(axis=0))
@@ -104,14 +102,18 @@ class PlanningCalls:
         return {
             'plan': lambda: self.planner.plan(REQUEST),
             'goal: ways and context': lambda: self.planner._goal(TARGET),
-            'sampling': self.sample,
+            'history': self.history,
+            # Anew every time: a processor remembers what it has decided before.
+            'sampling': lambda: self.sampler.sample(
+                self.goal.context, history, seeds(self.rng, len(history))
+            ),
             'decoding': lambda: decode(activity, self.window),
             'selection': lambda: select(paths, self.planning.selection, cost),
             'segment': lambda: segment_along(average, REQUEST, self.planning.trajectory, extent),
             'sampling in NumPy': self.sample_in_numpy,
             f'bound: {work.words} random words': lambda: lower_bound.draw(work.words),
-            f'bound: {len(work.rows)} rows of weights': lambda: lower_bound.add(
-                self.sampler.synapses, work.rows
+            f'bound: {len(work.rows)} rows of weights, {work.steps} looks at potentials': (
+                lambda: lower_bound.go_through(self.sampler.synapses, work)
             ),
         }
 
@@ -167,8 +169,8 @@ def table(times: dict[str, Times], steps: int) -> str:
         f'- Planning is {(reference.p50 + rest) / times["plan"].p50:.1f} times as fast as with '
         f'the sampler in NumPy, sampling {reference.p50 / sampling.p50:.1f} times, the replay '
         f'{times["replay in NumPy"].p50 / times["replay"].p50:.0f} times.',
-        f'- Sampling takes {sampling.least / bound:.1f} times what its random words and its '
-        'weights take alone (least times).',
+        f'- Sampling takes {sampling.least / bound:.1f} times what its random words and its way '
+        'through memory take alone (least times).',
     ]  # fmt: skip
     return '\n'.join(lines)
 
@@ -182,7 +184,8 @@ def main() -> None:
     parser.add_argument('--out', type=Path, metavar='FILE', help='write the table')
     options = parser.parse_args()
     calls = {**PlanningCalls(options.steps).calls(), **update_calls(options.steps)}
-    measured = times_ms(*calls.values(), repeats=options.repeats)
+    with threadpool_limits(1):
+        measured = times_ms(*calls.values(), repeats=options.repeats)
     times = dict(zip(calls, measured, strict=True))
     text = table(times, options.steps)
     print(text)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What sampling cannot do without: its random words, and the weights of whoever spikes.
+"""What sampling cannot do without: its random words, and the memory it has to go through.
 
-No sampler of this kind is faster than a loop that draws as many random words, and adds and
-takes away the same weights in the same order, and does nothing else.
+No sampler of this kind is faster than loops that draw as many random words, add and take away
+the same weights in the same order, look at every potential once a step, and decide nothing.
 """
 
 from dataclasses import dataclass
@@ -11,6 +11,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.intrinsics import above
 from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.random_words import STEP, word
 from srnn_planner.core.sampler import Sampler
@@ -24,15 +25,15 @@ class Work:
     """What sampling one segment takes.
 
     Attributes:
-        spikes: number of spikes.
         words: random words drawn.
         rows: (n,) neurons whose weights are added to all potentials, or taken away, in order.
+        steps: how often all potentials are looked at.
 
     """
 
-    spikes: int
     words: int
     rows: NDArray[np.int64]
+    steps: int
 
 
 def work(network: NetworkParameters, given: SampleInput, sampler: Sampler) -> Work:
@@ -51,16 +52,15 @@ def work(network: NetworkParameters, given: SampleInput, sampler: Sampler) -> Wo
         heard = (t - context_last <= tau).astype(np.float64)
         u = given.bias + potential @ given.weights.astype(float) + heard @ given.context.weights
         likely = (u > law.seldom) & ~(potential & law.absolute)
-        padded = np.pad(likely, ((0, 0), (0, -neurons % LANES))).reshape(samples, -1, LANES)
         # Half of those that may spike fall away with each word, and who is left draws one.
-        words += law.halvings * int(padded.any(axis=2).sum())
+        words += law.halvings * samples * -(-neurons // LANES)
         words += round(likely.sum() * 0.5**law.halvings)
         # One word decides half of all context neurons, the next half of those left.
         words += samples * round(1 + np.log2(given.context_uniforms.shape[2]))
         last[spikes[:, t]] = t
         context_last[given.context_uniforms[:, t] < given.context.spike_probability[t]] = t
     words += round(2.0 * law.rare * samples * steps * neurons)
-    return Work(int(spikes.sum()), words, np.concatenate(rows))
+    return Work(words, np.concatenate(rows), samples * steps)
 
 
 @numba.njit(cache=True)
@@ -73,18 +73,25 @@ def draw(count):
     return total
 
 
-def add(synapses: SynapseSpans, rows: NDArray[np.int64]) -> None:
-    """Add the weights of neurons to potentials."""
+def go_through(synapses: SynapseSpans, work: Work) -> None:
+    """Add the weights of all rows to potentials, and look at these as often as is needed."""
     neurons = len(synapses.first) - 1
-    _add(synapses.first, synapses.start, synapses.values, rows, neurons)
+    _go_through(synapses, work.rows, work.steps, neurons)
 
 
 @numba.njit(cache=True)
-def _add(first, start, values, rows, neurons):
-    u = np.zeros(neurons + values.shape[1] + LANES, dtype=np.int32)
-    for k in rows:
-        for n in range(first[k], first[k + 1]):
-            low, span = np.uint64(start[n]), values[n]
-            for i in range(np.uint64(len(span))):
-                u[low + np.uint64(i)] += span[np.uint64(i)]
-    return u
+def _go_through(synapses, rows, steps, neurons):
+    blocks = (neurons + LANES - 1) // LANES
+    u = np.zeros(blocks * LANES + synapses.values.shape[1], dtype=np.int32)
+    seen, row = np.uint64(0), 0
+    for step in range(steps):
+        while row < len(rows) * (step + 1) // steps:
+            k = rows[row]
+            row += 1
+            for n in range(synapses.first[k], synapses.first[k + 1]):
+                low, span = np.uint64(synapses.start[n]), synapses.values[n]
+                for i in range(np.uint64(len(span))):
+                    u[low + np.uint64(i)] += span[np.uint64(i)]
+        for block in range(blocks):
+            seen |= above(u, block * LANES, np.int32(0))
+    return seen

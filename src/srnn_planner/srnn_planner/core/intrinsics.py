@@ -36,3 +36,23 @@ def number_of(typing_context: Any, bits: Any) -> Any:
         return builder.bitcast(arguments[0], ir.DoubleType())
 
     return types.float64(types.int64), code
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def above(typing_context: Any, values: Any, index: Any, limit: Any) -> Any:
+    """Return a word with a bit for each of 64 values, from an index on, that exceeds a limit."""
+    lanes = ir.VectorType(ir.IntType(32), 64)
+
+    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        array = context.make_array(signature.args[0])(context, builder, arguments[0])
+        place = builder.gep(array.data, [arguments[1]])
+        loaded = builder.load(builder.bitcast(place, lanes.as_pointer()), align=4)
+        first = builder.insert_element(
+            ir.Constant(lanes, ir.Undefined), arguments[2], ir.Constant(ir.IntType(32), 0)
+        )
+        order = ir.Constant(lanes, [ir.Constant(ir.IntType(32), 0)] * 64)
+        everywhere = builder.shuffle_vector(first, ir.Constant(lanes, ir.Undefined), order)
+        exceeds = builder.icmp_signed('>', loaded, everywhere)
+        return builder.bitcast(exceeds, ir.IntType(64))
+
+    return types.uint64(values, types.int64, types.int32), code

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_planner.core.elementary import LOWEST, exp
-from srnn_planner.core.intrinsics import lowest_bit
+from srnn_planner.core.intrinsics import above, lowest_bit
 from srnn_planner.core.random_words import STEP, bernoulli_word, gap, uniform, word
 from srnn_planner.core.synapse_spans import ROOM
 
@@ -135,13 +135,13 @@ def sample(synapses, bias, theta, probability, history, seeds, positions, law):
             halving = state + np.uint64(first_block * law.halvings) * STEP
             state += np.uint64(blocks * law.halvings) * STEP
             for block in range(first_block, last_block):
-                above = _above(cells.u, np.int32(likely), block)
+                found = above(cells.u, block * LANES, np.int32(likely))
                 for _ in range(law.halvings):
-                    above &= word(halving)
+                    found &= word(halving)
                     halving += STEP
-                while above != _ZERO:
-                    k = block * LANES + lowest_bit(above)
-                    above &= above - _ONE
+                while found != _ZERO:
+                    k = block * LANES + lowest_bit(found)
+                    found &= found - _ONE
                     # Written in any case, and kept by whoever spikes: to guess would be slower.
                     cells.ring[slot, spiked] = k
                     spiked += share * uniform(state) < _probability(
@@ -255,16 +255,6 @@ def _probability(law, slope, potential, since):
     exponent = max(potential * slope - law.threshold, LOWEST)
     probability = exp(min(exponent, law.saturated))
     return probability * since / law.tau if since <= law.tau else probability
-
-
-@numba.njit(cache=True, error_model='numpy')
-def _above(u, likely, block):
-    """Return a word with a bit for each neuron of a block whose potential is above a value."""
-    found = _ZERO
-    lanes = u[block * LANES : block * LANES + LANES]
-    for j in range(LANES):
-        found |= np.uint64(lanes[j] > likely) << np.uint64(j)
-    return found
 
 
 @numba.njit(cache=True, error_model='numpy')
