@@ -9,7 +9,6 @@ Times depend on the machine; the ratios are taken in one run, calls in turn.
 import argparse
 from collections.abc import Callable
 from dataclasses import asdict, replace
-from functools import partial
 import json
 from pathlib import Path
 
@@ -93,7 +92,7 @@ class PlanningCalls:
             self.goal.context, history, seeds(self.rng, len(history))
         )
         paths, _ = decode(activity, self.window)
-        cost = partial(self.planner._cost, REQUEST, self.goal)
+        cost = self.planner._cost(REQUEST, self.goal)
         average = MODEL.workspace.to_metres(paths[:4].mean(axis=0))
         extent = MODEL.workspace.half_extent
         work = lower_bound.work(

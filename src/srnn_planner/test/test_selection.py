@@ -9,6 +9,7 @@ import pytest
 from srnn_config import ParameterError
 from srnn_planner.core.parameters import SelectionParameters
 from srnn_planner.core.selection import (
+    Cost,
     best_mode,
     mode_seeking,
     pairwise_angles,
@@ -59,14 +60,17 @@ def straight_paths(angles, length=0.3, steps=10):
     return np.linspace(0.0, 1.0, steps)[None, :, None] * fan(angles, length)[:, None]
 
 
-def height_lost(paths):
-    """A cost that falls towards positive y."""
-    return -paths[:, -1, 1]
+def nothing(paths):
+    return np.zeros(len(paths))
+
+
+HEIGHT_LOST = Cost(lambda paths: -paths[:, -1, 1], nothing)
+"""A cost that falls towards positive y."""
 
 
 def test_the_best_mode_is_the_one_whose_mean_costs_least_not_the_densest(rng):
     up, down = rng.normal(np.pi / 2, 0.1, 8), rng.normal(-np.pi / 2, 0.02, 32)
-    kept = best_mode(straight_paths(np.concatenate([down, up])), 0.2, height_lost)
+    kept = best_mode(straight_paths(np.concatenate([down, up])), 0.2, HEIGHT_LOST)
     assert kept.sum() == 8
     assert kept[32:].all()
 
@@ -79,12 +83,31 @@ def test_what_is_judged_is_the_mean_of_a_mode_and_no_other_mode_costs_less(rng):
     def cost(candidates):
         return np.exp(-((candidates[:, -1, 1] / 0.05) ** 2))
 
-    kept = best_mode(paths, 0.5, cost)
+    kept = best_mode(paths, 0.5, Cost(nothing, cost))
     assert kept[:4].all() != kept[4:].all()
     chosen = cost(paths[kept].mean(axis=0)[None])[0]
     for reference in range(8):
         near = np.argsort(np.abs(angles - angles[reference]))[:4]
         assert chosen <= cost(paths[near].mean(axis=0)[None])[0] + 1e-12
+
+
+@given(seed=st.integers(0, 2**32 - 1), count=st.integers(1, 40), steepness=st.floats(0.0, 3.0))
+def test_modes_that_are_not_judged_do_not_cost_less(seed, count, steepness):
+    """Whatever share of the cost is found out later, the mode is that of the whole cost."""
+    rng = np.random.default_rng(seed)
+    paths = rng.normal(size=(count, 5, 2)).round(1)
+
+    def least(candidates):
+        return candidates[:, -1, 0].round(1)
+
+    def more(candidates):
+        return steepness * np.abs(candidates[:, :, 1]).max(axis=1).round(1)
+
+    def whole(candidates):
+        return least(candidates) + more(candidates)
+
+    judged = best_mode(paths, 0.1, Cost(least, more))
+    assert np.array_equal(judged, best_mode(paths, 0.1, Cost(whole, nothing)))
 
 
 @given(seed=st.integers(0, 2**32 - 1))
@@ -107,7 +130,7 @@ def test_angles_are_symmetric_and_zero_to_themselves(seed, dimensions):
 def test_at_least_one_sample_is_always_kept():
     paths = np.zeros((1, 5, 2))
     for rule in ('three_sigma', 'mode_seeking', 'best_mode'):
-        assert select(paths, SelectionParameters(rule=rule), lambda p: np.zeros(len(p))).all()
+        assert select(paths, SelectionParameters(rule=rule), Cost(nothing, nothing)).all()
 
 
 def test_unknown_rule_is_refused_naming_the_rules():

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.generalized_error import generalized_error
 from srnn_planner.core.parameters import ContextParameters
 
 
@@ -21,13 +22,6 @@ class ContextPopulation:
 
     weights: NDArray[np.float64]
     spike_probability: NDArray[np.float64]
-
-
-def generalized_error(
-    distance: NDArray[np.float64], scale: float, exponent: float
-) -> NDArray[np.float64]:
-    """Return exp(-(distance / scale)^exponent), 1 at distance 0."""
-    return np.asarray(np.exp(-((distance / scale) ** exponent)))
 
 
 def draw_centres(
@@ -62,7 +56,8 @@ def way_point_population(
 
     """
     p = parameters
-    beeline = np.linalg.norm(centres[:, None, :] - neurons[None, :, :], axis=2)
-    weights = p.amplitude / p.neurons * generalized_error(beeline + detour, p.scale, p.exponent)
+    longer = np.full(len(neurons), detour, dtype=np.float64)
+    share = generalized_error(centres, neurons, longer, p.scale, p.exponent)
+    weights = p.amplitude / p.neurons * share
     probability = np.linspace(p.spike_probability_start, p.spike_probability_end, steps)
     return ContextPopulation(weights, probability)

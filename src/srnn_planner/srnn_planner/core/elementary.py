@@ -6,8 +6,8 @@ import numpy as np
 
 from srnn_planner.core.intrinsics import bits_of, number_of
 
-LOWEST = -700.0
-"""The exponential of less is not taken."""
+LOWEST, HIGHEST = -700.0, 700.0
+"""The exponential of less, and of more, is not taken."""
 
 _PER_LOG2 = 1.0 / np.log(2.0)
 _LOG2_HIGH, _LOG2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10
@@ -21,7 +21,7 @@ _BIAS, _MANTISSA = np.int64(1023), np.int64(52)
 
 @numba.njit(cache=True, error_model='numpy')
 def exp(x):
-    """Return e^x to 1e-15, for x from `LOWEST` to 0."""
+    """Return e^x to 1e-15, for x from `LOWEST` to `HIGHEST`."""
     # Adding a number whose last bit is 1 rounds to a whole number.
     n = x * _PER_LOG2 + _SHIFTER - _SHIFTER
     r = x - n * _LOG2_HIGH - n * _LOG2_LOW

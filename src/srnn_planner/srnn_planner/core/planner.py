@@ -3,7 +3,6 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +23,7 @@ from srnn_planner.core.parameters import (
 from srnn_planner.core.random_words import seeds
 from srnn_planner.core.retreat import at_rest, back_off
 from srnn_planner.core.sampler import Sampler
-from srnn_planner.core.selection import select
+from srnn_planner.core.selection import Cost, select
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.trajectory import Motion, Trajectory, time_path
 from srnn_planner.core.ways import Ways
@@ -159,7 +158,7 @@ class SegmentPlanner:
         if valid.mean() < self.planning.sampling.valid_share:
             return Plan(None, paths, kept, spikes)
         kept[valid] = select(
-            paths[valid], self.planning.selection, partial(self._cost, request, goal)
+            paths[valid], self.planning.selection, self._cost(request, goal)
         )
         average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
         extent = self.model.workspace.half_extent
@@ -193,14 +192,20 @@ class SegmentPlanner:
     def _dimensions(self) -> int:
         return self.model.network.dimensions
 
-    def _cost(
-        self, request: PlanRequest, goal: Goal, paths: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
-        left = self._mean.at(goal.remaining, np.ascontiguousarray(paths[:, -1]))
-        away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
-        left[away <= request.reach] = 0.0
-        met = graze(paths, self._mean, self._blockage, self.planning.selection.caution)
-        return np.asarray(left + self.planning.context.aversion * met)
+    def _cost(self, request: PlanRequest, goal: Goal) -> Cost:
+        planning = self.planning
+
+        def way_left(paths: NDArray[np.float64]) -> NDArray[np.float64]:
+            left = self._mean.at(goal.remaining, np.ascontiguousarray(paths[:, -1]))
+            away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
+            left[away <= request.reach] = 0.0
+            return left
+
+        def avoided(paths: NDArray[np.float64]) -> NDArray[np.float64]:
+            met = graze(paths, self._mean, self._blockage, planning.selection.caution)
+            return planning.context.aversion * met
+
+        return Cost(way_left, avoided)
 
     def _goal(self, target: NDArray[np.float64]) -> Goal:
         key = target.tobytes()

@@ -2,14 +2,30 @@
 """Sample rejection: only movements of one kind may be averaged."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from srnn_planner.core.parameters import SelectionParameters
 
-Cost = Callable[[NDArray[np.float64]], NDArray[np.float64]]
-"""Expected cost (S,) of paths (S, T, d)."""
+Judged = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+
+BATCH = 8
+"""Modes judged at a time."""
+
+
+class Cost(NamedTuple):
+    """Expected cost of paths, in two parts.
+
+    Attributes:
+        least: returns (S,) what paths (S, T, d) cost at least.
+        more: returns (S,) what they cost beyond that, at least 0; takes longer to find out.
+
+    """
+
+    least: Judged
+    more: Judged
 
 
 def select(
@@ -77,10 +93,23 @@ def best_mode(
 
     """
     modes = _neighbours(pairwise_angles(paths[:, -1] - paths[:, 0]), share)
-    best = int(np.argmin(cost(paths[modes].mean(axis=1))))
     kept = np.zeros(len(paths), dtype=bool)
-    kept[modes[best]] = True
+    kept[modes[_cheapest(paths[modes].mean(axis=1), cost)]] = True
     return kept
+
+
+def _cheapest(paths: NDArray[np.float64], cost: Cost) -> int:
+    """Return the first of the paths (n, T, d) that cost least, without judging all of them."""
+    least = cost.least(paths)
+    order = np.argsort(least, kind='stable')
+    lowest, cheapest = np.inf, 0
+    for batch in np.split(order, range(BATCH, len(order), BATCH)):
+        if least[batch[0]] > lowest:
+            break
+        total = least[batch] + cost.more(paths[batch])
+        best = np.lexsort((batch, total))[0]
+        lowest, cheapest = min((lowest, cheapest), (float(total[best]), int(batch[best])))
+    return cheapest
 
 
 def pairwise_angles(displacement: NDArray[np.float64]) -> NDArray[np.float64]:
