@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
+from srnn_planner.core.arc_length import evenly
 from srnn_planner.core.curve import fit
 from srnn_planner.core.parameters import TrajectoryParameters
 from srnn_planner.core.retreat import Trail, at_rest, back_off
@@ -26,6 +27,25 @@ def random_segment(seed):
     rng = np.random.default_rng(seed)
     start = Motion(rng.normal(0, 0.005, 2), rng.uniform(-0.07, 0.07, 2))
     return start, time_path(random_path(rng), start, 0.1, P)
+
+
+@given(seed=SEEDS, dimensions=st.integers(1, 3))
+def test_points_at_even_distances_are_those_of_a_line_through_many_points(seed, dimensions):
+    coefficients = np.random.default_rng(seed).normal(size=(6, dimensions))
+    points, length = evenly(coefficients, 25)
+    line = np.polynomial.polynomial.polyval(np.linspace(0.0, 1.0, 100), coefficients).T
+    distance = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    assert length == pytest.approx(distance[-1])
+    even = np.linspace(0.0, length, 25)
+    for d in range(dimensions):
+        expected = np.interp(even, distance, line[:, d])
+        assert points[:, d] == pytest.approx(expected, abs=1e-9)
+
+
+def test_a_path_without_length_stays_where_it_is():
+    points, length = evenly(np.array([[0.3, -0.2], [0.0, 0.0]]), 7)
+    assert length == 0.0
+    assert (points == [0.3, -0.2]).all()
 
 
 @given(seed=SEEDS)

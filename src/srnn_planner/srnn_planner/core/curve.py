@@ -7,6 +7,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.arc_length import evenly
+
 DEGREE = 5
 STIFFNESS = 0.00003
 """Weight of the mean squared second derivative against the mean squared residual."""
@@ -44,24 +46,14 @@ def fit(points: NDArray[np.float64]) -> Curve:
     accelerations. First fitted over the steps, then once more at even distances along
     itself, so that constant speed along the curve is constant progress of s.
     """
-    evenly, _ = _even(_polynomial(points), len(points))
-    evenly, length = _even(_polynomial(evenly), len(points))
-    return Curve(_polynomial(evenly), length)
+    first, _ = evenly(_polynomial(points), len(points))
+    second, length = evenly(_polynomial(first), len(points))
+    return Curve(_polynomial(second), length)
 
 
 def _polynomial(points: NDArray[np.float64]) -> NDArray[np.float64]:
     offsets = points[1:] - points[0]
     return np.vstack([points[:1], _projection(len(points)) @ offsets])
-
-
-def _even(coefficients: NDArray[np.float64], count: int) -> tuple[NDArray[np.float64], float]:
-    """Return points (count, d) at even distances along a polynomial, and its length."""
-    points = _dense(4 * count) @ coefficients
-    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    distance = np.concatenate([[0.0], np.cumsum(steps)])
-    length = float(distance[-1])
-    even = np.linspace(0.0, length, count)
-    return np.stack([np.interp(even, distance, column) for column in points.T], axis=1), length
 
 
 def _powers(s: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -70,11 +62,6 @@ def _powers(s: NDArray[np.float64]) -> NDArray[np.float64]:
     for order in range(DEGREE):
         powers[:, order + 1] = powers[:, order] * s
     return powers
-
-
-@lru_cache(maxsize=8)
-def _dense(count: int) -> NDArray[np.float64]:
-    return _powers(np.linspace(0.0, 1.0, count))
 
 
 @lru_cache(maxsize=8)
