@@ -13,34 +13,12 @@ from srnn_experiments.agent import Brain
 from srnn_experiments.random_scene import random_scene
 from srnn_experiments.setting import Setting
 from srnn_experiments.trial import run_trial
-from srnn_planner.core.decoding import spike_activity
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
-from srnn_planner.core.sampling import SampleInput, sample_spikes
+from srnn_planner.core.sampling import PlainSampler
 
 BRAIN = Brain(ModelParameters(), PlanningParameters())
 SEEDS = range(1000, 1010)
 SEGMENTS = 120
-
-
-class InNumPy:
-    """Samples as `Sampler` does, by the plain reference."""
-
-    def __init__(self, network, positions, bias, _context_max):
-        self._network, self._positions, self._bias = network, positions, bias
-
-    def use_weights(self, weights):
-        self._weights = weights
-
-    def sample(self, context, history, seeds):
-        rng = np.random.default_rng(seeds)
-        size = (len(history), len(context.spike_probability))
-        spikes = sample_spikes(self._network, SampleInput(
-            self._weights, context, self._bias, history,
-            rng.random((*size, self._network.neurons), dtype=np.float32),
-            rng.random((*size, len(context.weights)), dtype=np.float32),
-        ))  # fmt: skip
-        activity = spike_activity(spikes, history, self._positions, self._network.tau)
-        return spikes.sum(axis=0, dtype=np.uint16), activity
 
 
 def figures():
@@ -57,7 +35,7 @@ def figures():
 @pytest.mark.slow
 def test_trials_with_either_sampler_have_the_same_figures(monkeypatch):
     compiled = figures()
-    monkeypatch.setattr('srnn_planner.core.planner.Sampler', InNumPy)
+    monkeypatch.setattr('srnn_planner.core.planner.Sampler', PlainSampler)
     plain = figures()
     difference = compiled - plain
     error = difference.std(axis=0, ddof=1) / np.sqrt(len(difference))

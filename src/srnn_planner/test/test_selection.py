@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from srnn_config import ParameterError
+from srnn_planner.core.nearest_directions import nearest_directions
 from srnn_planner.core.parameters import SelectionParameters
 from srnn_planner.core.selection import (
     Cost,
@@ -125,6 +126,21 @@ def test_angles_are_symmetric_and_zero_to_themselves(seed, dimensions):
     assert np.allclose(angle, angle.T)
     assert (np.diag(angle) == 0.0).all()
     assert angle.max() <= np.pi
+
+
+@given(
+    seed=st.integers(0, 2**32 - 1), samples=st.integers(1, 30), dimensions=st.integers(1, 3),
+    share=st.floats(0.0, 1.0),
+)  # fmt: skip
+def test_nearest_directions_are_those_of_the_smallest_angles(seed, samples, dimensions, share):
+    displacement = np.random.default_rng(seed).normal(size=(samples, dimensions))
+    count = max(1, round(share * samples))
+    angle = pairwise_angles(displacement)
+    nearest = nearest_directions(displacement, count)
+    assert (nearest[:, 0] == np.arange(samples)).all()
+    assert all(len(set(row)) == count for row in nearest.tolist())
+    found = np.take_along_axis(angle, nearest, axis=1)
+    assert found == pytest.approx(np.sort(angle, axis=1)[:, :count], abs=1e-7)
 
 
 def test_at_least_one_sample_is_always_kept():

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_planner.core.context import ContextPopulation
+from srnn_planner.core.decoding import spike_activity
 from srnn_planner.core.parameters import NetworkParameters
 
 
@@ -77,3 +78,40 @@ def activation(
     if network.refractory == 'absolute':
         return np.asarray(np.where(recovering, 0.0, rho))
     return np.asarray(np.where(recovering, rho * since / network.tau, rho))
+
+
+class PlainSampler:
+    """What `sampler.Sampler` is, without anything compiled."""
+
+    def __init__(
+        self,
+        network: NetworkParameters,
+        positions: NDArray[np.float64],
+        bias: NDArray[np.float64],
+        context_max: float,
+    ) -> None:
+        """See `Sampler`."""
+        self._network, self._positions, self._bias = network, positions, bias
+        self._weights: NDArray[np.float32]
+
+    def use_weights(self, weights: NDArray[np.float32]) -> None:
+        """See `Sampler`."""
+        self._weights = weights
+
+    def sample(
+        self,
+        context: ContextPopulation,
+        history: NDArray[np.int32],
+        seeds: NDArray[np.uint64],
+    ) -> tuple[NDArray[np.uint16], NDArray[np.float64]]:
+        """See `Sampler`; random numbers are other ones."""
+        rng = np.random.default_rng(seeds)
+        size = (len(history), len(context.spike_probability))
+        given = SampleInput(
+            self._weights, context, self._bias, history,
+            rng.random((*size, self._network.neurons), dtype=np.float32),
+            rng.random((*size, len(context.weights)), dtype=np.float32),
+        )  # fmt: skip
+        spikes = sample_spikes(self._network, given)
+        activity = spike_activity(spikes, history, self._positions, self._network.tau)
+        return spikes.sum(axis=0, dtype=np.uint16), activity

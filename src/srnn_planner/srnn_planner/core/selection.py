@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.nearest_directions import nearest_directions
 from srnn_planner.core.parameters import SelectionParameters
 
 Judged = Callable[[NDArray[np.float64]], NDArray[np.float64]]
@@ -75,7 +76,7 @@ def mode_seeking(displacement: NDArray[np.float64], share: float) -> NDArray[np.
     angle = pairwise_angles(displacement)
     reference = int(np.argmin(_closest(angle, share).mean(axis=1)))
     kept = np.zeros(len(displacement), dtype=bool)
-    kept[_neighbours(angle, share)[reference]] = True
+    kept[np.argsort(angle[reference], kind='stable')[: _count(len(angle), share)]] = True
     return kept
 
 
@@ -92,7 +93,7 @@ def best_mode(
         cost: what to expect of a path.
 
     """
-    modes = _neighbours(pairwise_angles(paths[:, -1] - paths[:, 0]), share)
+    modes = nearest_directions(paths[:, -1] - paths[:, 0], _count(len(paths), share))
     kept = np.zeros(len(paths), dtype=bool)
     kept[modes[_cheapest(paths[modes].mean(axis=1), cost)]] = True
     return kept
@@ -119,11 +120,6 @@ def pairwise_angles(displacement: NDArray[np.float64]) -> NDArray[np.float64]:
     cosine = np.clip(unit @ unit.T, -1.0, 1.0)
     np.fill_diagonal(cosine, 1.0)
     return np.asarray(np.arccos(cosine))
-
-
-def _neighbours(angle: NDArray[np.float64], share: float) -> NDArray[np.int64]:
-    """Return the nearest `share` of the samples of each one (S, n), itself among them."""
-    return np.argsort(angle, axis=1, kind='stable')[:, : _count(len(angle), share)]
 
 
 def _closest(distance: NDArray[np.float64], share: float) -> NDArray[np.float64]:
