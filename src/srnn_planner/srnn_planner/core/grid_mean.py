@@ -9,11 +9,15 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.elementary import LOWEST, exp
+from srnn_planner.core.elementary import HIGHEST, LOWEST, exp
 from srnn_planner.core.parameters import NetworkParameters
 
 NEGLIGIBLE = 1e-8
 """Neurons with a smaller share than this, of the nearest one's, are left out."""
+
+
+ABREAST = 64
+"""Points that are worked on together."""
 
 
 class GridMean:
@@ -43,41 +47,48 @@ def _means(values, points, fall, grid):
     count, dimensions = points.shape
     means = np.zeros(count)
     # A grid of fewer dimensions has one neuron along the others, in front.
-    skipped = 3 - dimensions
-    box_low, box_end = _box(values, grid[0], skipped)
-    share = np.ones((3, 2 * len(fall) - 1))
-    first = np.zeros(3, dtype=np.int64)
-    low, end = np.zeros(3, dtype=np.int64), np.ones(3, dtype=np.int64)
-    for n in range(count):
-        inside = True
-        for axis in range(skipped, 3):
-            nearest = _nearest(points[n, axis - skipped], grid)
-            first[axis] = max(nearest - len(fall) + 1, 0)
-            low[axis] = max(first[axis], box_low[axis])
-            end[axis] = min(nearest + len(fall), grid[0], box_end[axis])
-            inside &= low[axis] < end[axis]
-        # Of what is blocked most is far away.
-        if inside:
-            whole = 1.0
+    skipped, reach = 3 - dimensions, len(fall) - 1
+    box = _box(values, grid[0], skipped)
+    among = np.empty(ABREAST, dtype=np.int64)
+    nearest = np.zeros((3, ABREAST), dtype=np.int64)
+    basis = np.zeros((3, 2 * reach + 1, ABREAST))
+    basis[:, reach] = 1.0
+    n = 0
+    while n < count:
+        found = 0
+        while n < count and found < ABREAST:
+            among[found] = n
+            inside = True
             for axis in range(skipped, 3):
-                x = points[n, axis - skipped]
-                whole *= _share(x, fall, grid, first[axis], share[axis])
-            means[n] = _mean(values, share, first, low, end, grid[0]) / whole
+                index = _nearest(points[n, axis - skipped], grid)
+                nearest[axis, found] = index
+                inside &= index + reach >= box[axis, 0] and index - reach < box[axis, 1]
+            # Of what is blocked most is far away.
+            found += inside
+            n += 1
+        whole = np.ones(ABREAST)
+        for axis in range(skipped, 3):
+            x = points[among[:found], axis - skipped]
+            whole *= _bases(x, nearest[axis], fall, grid, basis[axis])
+        for m in range(found):
+            means[among[m]] = _mean(values, basis, nearest, box, m, grid[0]) / whole[m]
     return means
 
 
 @numba.njit(cache=True, error_model='numpy')
 def _box(values, side, skipped):
-    """Return the first index and that after the last along each axis where values are not 0."""
-    low, end = np.full(3, side), np.zeros(3, dtype=np.int64)
+    """Return (3, 2) first index and that after the last where values are not 0, by axis."""
+    box = np.zeros((3, 2), dtype=np.int64)
+    box[:skipped, 1], box[skipped:, 0] = 1, side
     for k in range(len(values)):
         if values[k] != 0.0:
             left = k
             for axis in range(2, skipped - 1, -1):
                 index = left % side
-                low[axis], end[axis] = min(low[axis], index), max(end[axis], index + 1)
+                box[axis, 0] = min(box[axis, 0], index)
+                box[axis, 1] = max(box[axis, 1], index + 1)
                 left //= side
-    return low, end
+    return box
 
 
 @numba.njit(cache=True, error_model='numpy')
@@ -86,39 +97,45 @@ def _nearest(x, grid):
 
 
 @numba.njit(cache=True, error_model='numpy')
-def _share(x, fall, grid, first, share):
-    """Write the basis of the neurons along one dimension, from the first on; return its sum."""
+def _bases(x, nearest, fall, grid, basis):
+    """Write the basis of the neurons around each point along one axis; return their sums.
+
+    exp(-(a - j h)^2 / 2 s^2), relative to j = 0, is exp(a h / s^2)^j exp(-(j h)^2 / 2 s^2): one
+    exponential for all neurons. Loops over points are innermost, so that they run abreast.
+    """
     side, spacing, steepness = grid
-    nearest = _nearest(x, grid)
-    middle = nearest - first
-    # exp(-(a - j h)^2 / 2 s^2), relative to j = 0, is exp(a h / s^2)^j exp(-(j h)^2 / 2 s^2).
-    exponent = (x - (nearest * spacing - 1.0)) * steepness
-    up = exp(max(-abs(exponent), LOWEST))
-    down = 1.0 / up
-    if exponent > 0.0:
-        up, down = down, up
-    share[middle] = total = power = 1.0
-    for j in range(1, min(len(fall), side - nearest)):
-        power *= up
-        share[middle + j] = power * fall[j]
-        total += share[middle + j]
-    power = 1.0
-    for j in range(1, middle + 1):
-        power *= down
-        share[middle - j] = power * fall[j]
-        total += share[middle - j]
+    total, ratio, power = np.ones(ABREAST), np.empty(len(x)), np.empty(len(x))
+    for m in range(np.uint64(len(x))):
+        ratio[m] = exp(min(max((x[m] - (nearest[m] * spacing - 1.0)) * steepness, LOWEST), HIGHEST))
+    reach = len(fall) - 1
+    for direction in (1, -1):
+        power[:] = 1.0
+        for j in range(1, reach + 1):
+            row = basis[reach + direction * j]
+            for m in range(np.uint64(len(x))):
+                power[m] *= ratio[m]
+                index = nearest[m] + direction * j
+                # Beyond the edge powers may overflow.
+                row[m] = power[m] * fall[j] if 0 <= index < side else 0.0
+                total[m] += row[m]
+        for m in range(np.uint64(len(x))):
+            ratio[m] = 1.0 / ratio[m]
     return total
 
 
 @numba.njit(cache=True, error_model='numpy')
-def _mean(values, share, first, low, end, side):
+def _mean(values, basis, nearest, box, m, side):
+    reach = basis.shape[1] // 2
     total = 0.0
-    for i in range(low[0], end[0]):
+    i_first, j_first, k_first = (
+        nearest[0, m] - reach, nearest[1, m] - reach, nearest[2, m] - reach
+    )
+    for i in range(max(i_first, box[0, 0]), min(i_first + 2 * reach + 1, box[0, 1])):
         plane = 0.0
-        for j in range(low[1], end[1]):
+        for j in range(max(j_first, box[1, 0]), min(j_first + 2 * reach + 1, box[1, 1])):
             line, begin = 0.0, (i * side + j) * side
-            for k in range(low[2], end[2]):
-                line += share[2, k - first[2]] * values[begin + k]
-            plane += share[1, j - first[1]] * line
-        total += share[0, i - first[0]] * plane
+            for k in range(max(k_first, box[2, 0]), min(k_first + 2 * reach + 1, box[2, 1])):
+                line += basis[2, k - k_first, m] * values[begin + k]
+            plane += basis[1, j - j_first, m] * line
+        total += basis[0, i - i_first, m] * plane
     return total
