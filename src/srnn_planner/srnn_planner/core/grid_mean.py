@@ -106,7 +106,8 @@ def _bases(x, nearest, fall, grid, basis):
     side, spacing, steepness = grid
     total, ratio, power = np.ones(ABREAST), np.empty(len(x)), np.empty(len(x))
     for m in range(np.uint64(len(x))):
-        ratio[m] = exp(min(max((x[m] - (nearest[m] * spacing - 1.0)) * steepness, LOWEST), HIGHEST))
+        exponent = (x[m] - (nearest[m] * spacing - 1.0)) * steepness
+        ratio[m] = exp(min(max(exponent, LOWEST), HIGHEST))
     reach = len(fall) - 1
     for direction in (1, -1):
         power[:] = 1.0
