@@ -32,6 +32,9 @@ from lwr_fri_driver.loop_process import LoopParameters
 from lwr_fri_driver.udp_loop import SO_TIMESTAMPNS
 from srnn_node.realtime import VARIABLE, prefer_thread
 
+sys.path.insert(0, str(Path(__file__).parents[1] / 'test'))
+from busy_loops import busy_loops
+
 PEER_PRIORITY = 70
 """The controller must not be what is late."""
 
@@ -107,20 +110,6 @@ def _collect(peer: socket.socket, sent: int, answered: NDArray[np.float64]) -> N
         answered[number] = seconds + 1e-9 * nanoseconds
 
 
-@contextmanager
-def load(processes: int) -> Iterator[None]:
-    """Keep processors busy."""
-    loops = [
-        subprocess.Popen([sys.executable, '-c', 'while True: pass']) for _ in range(processes)
-    ]
-    try:
-        yield
-    finally:
-        for loop in loops:
-            loop.kill()
-            loop.wait()
-
-
 def measure(cycle: float, priority: bool, busy: bool, seconds: float) -> NDArray[np.float64]:
     """Return delays as `delays` does, with the driver's process as it would run."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
@@ -130,7 +119,7 @@ def measure(cycle: float, priority: bool, busy: bool, seconds: float) -> NDArray
     os.environ[VARIABLE] = '' if priority else '0'
     client = LoopClient(LoopParameters(driver=DriverParameters(link=link)))
     try:
-        with load((os.cpu_count() or 1) if busy else 0), at_priority(PEER_PRIORITY):
+        with busy_loops((os.cpu_count() or 1) if busy else 0), at_priority(PEER_PRIORITY):
             return delays(port, cycle, seconds)
     finally:
         client.close()

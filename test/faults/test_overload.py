@@ -2,12 +2,10 @@
 """Row 21: others take the processors away, with and without real-time priority."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
 import os
-import subprocess
-import sys
 
 from bounds import VELOCITY, keeps_to_the_path
+from busy_loops import busy_loops
 import pytest
 from watched_graph import Watched, free_scene, watched_graph
 
@@ -15,7 +13,9 @@ from srnn_node.realtime import VARIABLE
 
 pytestmark = pytest.mark.slow
 
-BUSY = 'while True: pass'
+LOOPS = 2 * (os.cpu_count() or 1)
+"""Every processor is busy, and one process waits for it."""
+
 LOAD_S = 6.0
 CYCLE_S = 0.004
 MISSED = 0.05
@@ -36,19 +36,6 @@ def watched(scheduling: str, tmp_path_factory: pytest.TempPathFactory) -> Iterat
         yield value
 
 
-@contextmanager
-def busy_loops() -> Iterator[None]:
-    """Keep every processor busy, and one process waiting for it."""
-    count = 2 * (os.cpu_count() or 1)
-    loops = [subprocess.Popen([sys.executable, '-c', BUSY]) for _ in range(count)]
-    try:
-        yield
-    finally:
-        for loop in loops:
-            loop.kill()
-            loop.wait()
-
-
 def counted(watched: Watched) -> tuple[int, int]:
     """Return how many cycles of the arm were due, and how many came late or never, as published.
 
@@ -66,7 +53,7 @@ def test_no_bound_is_broken_and_missed_cycles_are_published(ledger, watched, sch
         due, missed = counted(watched)
         since = watched.now()
         with ledger.injection(21, f'overload, {scheduling}') as entry:
-            with busy_loops():
+            with busy_loops(LOOPS):
                 watched.spin(LOAD_S)
             keeps_to_the_path(watched, since, entry)
             due_then, missed_then = counted(watched)
