@@ -13,7 +13,7 @@ from srnn_bringup.closing import closing_lines
 from srnn_bringup.page import html
 from srnn_bringup.page.bag_run import BagRun
 from srnn_bringup.page.timeline import timeline
-from srnn_bringup.page.timings import PERCENTILES, timings
+from srnn_bringup.page.timings import PERCENTILES, spread, timings
 from srnn_bringup.plots.plane import draw_change
 from srnn_bringup.plots.style import figure_file
 from srnn_bringup.report import Outputs, write_report
@@ -160,10 +160,10 @@ def _map(run: BagRun, update: Update, folder: Path) -> str:
 
 def _timings(run: BagRun) -> str:
     rows = [
-        (name, str(len(times)), *(f'{value:.2f}' for value in np.percentile(times, PERCENTILES)))
+        (name, str(len(times)), *(f'{value:.2f}' for value in spread(times)))
         for name, times in timings(run).items()
     ]
-    heading = ('[ms]', 'count', 'p50', 'p90', 'p99', 'longest')
+    heading = ('[ms]', 'count', *PERCENTILES)
     return html.table(heading, rows, numbers=5)
 
 
