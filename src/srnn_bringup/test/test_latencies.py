@@ -48,7 +48,7 @@ def test_a_touch_begins_where_the_tip_was_clear_last(tracker):
     assert touch.shown_ns == run.BEGIN + run.STOPPED * run.CYCLE
     assert touch.stopped_ns == run.STOP_SENT
     assert touch.still_ns == run.BEGIN + run.STOOD * run.CYCLE
-    assert touch.slant == pytest.approx(0.0, abs=1e-3)
+    assert touch.speed == pytest.approx(run.SPEED)
 
 
 def test_without_a_known_obstacle_it_begins_with_the_last_truth_that_was_clear(tracker):
@@ -58,14 +58,14 @@ def test_without_a_known_obstacle_it_begins_with_the_last_truth_that_was_clear(t
 
 
 @pytest.mark.parametrize('degrees', [-50, 30])
-def test_a_surface_from_the_side_is_hit_at_a_slant(tracker, degrees):
+def test_only_the_way_straight_into_the_surface_is_speed(tracker, degrees):
     inward = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
     centre = np.array([run.SURFACE, 0.0]) + (0.1 + Mount().tool_radius) * inward
     wall = Obstacle(
         shape='box', center=tuple(centre), size=(0.2, 0.2), yaw=float(np.radians(degrees))
     )
     (touch,) = touches.TouchFinder(tracker, Mount(), [wall]).touches()
-    assert np.degrees(touch.slant) == pytest.approx(abs(degrees), abs=0.1)
+    assert touch.speed == pytest.approx(run.SPEED * inward[0], rel=1e-3)
 
 
 def test_a_lesson_goes_into_the_first_segment_that_is_planned_with_it(planner):

@@ -13,7 +13,7 @@ from srnn_replay.recording import Recording, prefixes
 
 ANSWER = 'from a joint state to its command'
 STOP = 'from a touch to the command that stops'
-STOP_SQUARE = 'the same where the tip was at most 40° off the straight way in'
+STOP_BOUNDED = 'the same where it went straight in at 0.077 m/s or more'
 SHOWN = 'from a touch to the joint state that shows it'
 STOPPED = 'from the joint state that shows a touch to the command that stops'
 STILL = 'from the command that stops to the tip at rest'
@@ -22,8 +22,9 @@ SHARED = 'from a stop to the weights that it led to'
 BEGUN = 'from these weights to the planning that follows'
 SENT = 'from the beginning of this planning to its segment'
 
-SQUARE = 0.7
-"""Slant up to which a touch counts as squarely [rad]: as far as the bound on it is tested."""
+BOUNDED = 0.077
+"""From this speed straight into the surface on there is a bound [m/s]: it is tested at 0.1 m/s, up
+to 0.7 rad off the straight way in."""
 
 
 def latencies(bag: Bag) -> Mapping[str, NDArray[np.float64]]:
@@ -42,7 +43,7 @@ def latencies(bag: Bag) -> Mapping[str, NDArray[np.float64]]:
     return {
         ANSWER: answers.answers(tracker).times_ms,
         STOP: _ms([t.stopped_ns - t.clear_ns for t in touched]),
-        STOP_SQUARE: _ms([t.stopped_ns - t.clear_ns for t in touched if t.slant <= SQUARE]),
+        STOP_BOUNDED: _ms([t.stopped_ns - t.clear_ns for t in touched if t.speed >= BOUNDED]),
         SHOWN: _ms([t.shown_ns - t.clear_ns for t in touched]),
         STOPPED: _ms([t.stopped_ns - t.shown_ns for t in touched]),
         STILL: _ms([t.still_ns - t.stopped_ns for t in touched if t.still_ns is not None]),

@@ -48,8 +48,7 @@ class Touch:
         stopped_ns: when the command that stops the arm was sent [ns of system time].
         still_ns: stamp of the first joint state from which on the tip stands; None if it was
             moved on before.
-        slant: angle between the way of the tip before the touch and the straight way into the
-            surface [rad]; 0 is head-on.
+        speed: at which the tip went straight into the surface before the touch [m/s].
 
     """
 
@@ -58,7 +57,7 @@ class Touch:
     shown_ns: int
     stopped_ns: int
     still_ns: int | None
-    slant: float
+    speed: float
 
 
 class TouchFinder:
@@ -109,8 +108,8 @@ class TouchFinder:
             stopped, shown = answer
             clear = self._clear(stopped)
             if clear is not None and clear > before:
-                still, slant = self._still(stopped), self._slant(clear)
-                found.append(Touch(value.stamp_ns, clear, shown, stopped, still, slant))
+                still, speed = self._still(stopped), self._speed(clear)
+                found.append(Touch(value.stamp_ns, clear, shown, stopped, still, speed))
             before = stopped
         return found
 
@@ -136,14 +135,13 @@ class TouchFinder:
         touched = int(np.argmax(near)) if near.any() else 0
         return int(stamps[max(touched - 1, 0)])
 
-    def _slant(self, clear: int) -> float:
-        _, tips = self._tips(clear - WAY_NS, clear)
-        way, at = tips[-1, :2] - tips[0, :2], tips[-1, :2]
+    def _speed(self, clear: int) -> float:
+        stamps, tips = self._tips(clear - WAY_NS, clear)
+        velocity = (tips[-1, :2] - tips[0, :2]) / max(1e-9 * (stamps[-1] - stamps[0]), 1e-9)
         steps = PROBE * np.array([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
-        right, left, above, below = clearance(at + steps, self._obstacles)
+        right, left, above, below = clearance(tips[-1, :2] + steps, self._obstacles)
         inward = np.array([left - right, below - above])
-        cosine = way @ inward / max(np.linalg.norm(way) * np.linalg.norm(inward), 1e-12)
-        return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+        return float(velocity @ inward / np.linalg.norm(inward))
 
     def _still(self, stopped: int) -> int | None:
         stamps, tips = self._tips(stopped, stopped + PATIENCE_NS)
