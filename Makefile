@@ -8,9 +8,14 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check -qq
 PACKAGES := $(patsubst %/setup.py,%,$(wildcard src/*/setup.py))
 BUILD_FILES := $(wildcard src/*/setup.py src/*/setup.cfg src/*/package.xml)
 
-.PHONY: setup demo test test-slow test-faults lint clean
+.PHONY: setup peers demo test test-slow test-faults lint clean
 
 setup: $(VENV)/.packages
+
+# Brian2 needs another version of NumPy than everybody else, and has it to itself.
+peers: setup
+	$(PIP) install --no-deps --requirement requirements-peers.txt
+	$(PIP) install --no-deps --upgrade --target $(VENV)/peers/brian2 --requirement requirements-brian2.txt
 
 demo: setup
 	$(BIN)/srnn demo $(ARGS)

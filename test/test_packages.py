@@ -20,7 +20,7 @@ MAX_LINES = 300
 ORDER = (
     'srnn_config', 'srnn_access', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_guard',
     'srnn_planner', 'lwr_tracking', 'lwr_sim_bridge', 'lwr_fri_driver', 'srnn_bag',
-    'srnn_replay', 'srnn_experiments', 'srnn_view', 'srnn_bringup',
+    'srnn_replay', 'srnn_experiments', 'srnn_bench', 'srnn_view', 'srnn_bringup',
 )  # fmt: skip
 STRANGERS = {
     'srnn_access': {'srnn_config'},
@@ -37,6 +37,9 @@ STRANGERS = {
         'srnn_config', 'srnn_msgs_py', 'srnn_node', 'lwr_description', 'lwr_sim_bridge',
     },
     'srnn_experiments': {'srnn_node', 'lwr_fri_driver', 'srnn_bag', 'srnn_replay'},
+    'srnn_bench': set(ORDER) - {
+        'srnn_config', 'lwr_description', 'srnn_planner', 'srnn_experiments',
+    },
 }
 EXECUTABLES = {
     'srnn_planner': {
@@ -202,6 +205,9 @@ def test_no_two_tests_have_the_same_name():
     assert sorted(set(names)) == sorted(names)
 
 
-def test_every_package_is_pinned_by_name_and_version():
-    for line in (ROOT / 'requirements.lock').read_text().splitlines():
+@pytest.mark.parametrize(
+    'name', ['requirements.lock', 'requirements-peers.txt', 'requirements-brian2.txt']
+)
+def test_every_package_is_pinned_by_name_and_version(name):
+    for line in (ROOT / name).read_text().splitlines():
         assert line.startswith('#') or re.fullmatch(r'[A-Za-z0-9_.-]+==[0-9][0-9a-z.]*', line)

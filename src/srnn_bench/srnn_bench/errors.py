@@ -10,5 +10,9 @@ class ChoiceError(BenchError, ValueError):
     """A row that there is not was asked for."""
 
 
+class TaskError(BenchError, ValueError):
+    """A task that nobody can do was asked for."""
+
+
 class PeerError(BenchError, ChildProcessError):
     """A process in which a peer runs has failed."""

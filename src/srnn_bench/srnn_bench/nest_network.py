@@ -2,7 +2,7 @@
 """The network in NEST (Gewaltig and Diesmann 2007), of neurons `pp_psc_delta`.
 
 These spike with probability 1 - exp(-exp(beta u - c)) in a step: that of the task as long
-as it is small, and without its limit. No model of NEST has that limit.
+as it is small, and without its limit, for which the model has no parameter.
 """
 
 import os
@@ -12,11 +12,11 @@ from typing import Any
 # Or the import writes a banner to the standard output.
 os.environ.setdefault('PYNEST_QUIET', '1')
 
-import nest  # noqa: E402
-import numpy as np  # noqa: E402
-from numpy.typing import NDArray  # noqa: E402
+import nest
+import numpy as np
+from numpy.typing import NDArray
 
-from srnn_bench.network_task import NetworkRun, NetworkTask  # noqa: E402
+from srnn_bench.network_task import NetworkRun, NetworkTask
 
 _CERTAIN = 1e30
 """Rate at which a neuron spikes at once, whatever its potential [Hz]."""

@@ -66,8 +66,8 @@ NETWORK_CONTENDERS: tuple[Contender[NetworkSetting], ...] = (
     ),
     Contender(
         'nest', 'NEST, pp_psc_delta',
-        'spike probability 1 - exp(-exp(beta u - c)), without the limit p_max, which no model of '
-        'it has: more spikes; history and what context neurons do drawn beforehand, not timed',
+        'spike probability 1 - exp(-exp(beta u - c)), without the limit p_max, for which it has '
+        'no parameter: more spikes; history and what context neurons do drawn beforehand, not timed',
         'nest_network', 'NestNetwork', lambda setting: (setting.task,), NEST,
     ),
 )  # fmt: skip

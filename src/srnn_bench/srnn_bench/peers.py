@@ -40,8 +40,8 @@ class Peer:
 
     def _version(self, distribution: str) -> str:
         path = [str(self.apart)] if self.apart else []
-        found = next(metadata.distributions(name=distribution, path=[*path, *sys.path]), None)
-        return found.version if found else ''
+        found = list(metadata.distributions(name=distribution, path=[*path, *sys.path]))
+        return found[0].version if found else ''
 
 
 BRIAN2 = Peer('Brian2', 'brian2', ('brian2', 'numpy', 'Cython'))

@@ -9,8 +9,10 @@ import sys
 
 from srnn_access import AccessError
 from srnn_bag import BagError
+from srnn_bench.errors import BenchError
 from srnn_bringup.arms import ARMS
 from srnn_bringup.belief_command import add_belief_actions
+from srnn_bringup.bench_command import add_bench
 from srnn_bringup.command_line import WRONG_USE, Parser
 from srnn_bringup.config import FRI, SIMULATED, Choices, Configuration, load
 from srnn_bringup.environment import check_environment
@@ -43,6 +45,10 @@ SEGMENTS = 150
 
 SEGMENTS_MAX = 100_000
 
+_MISTAKES = (
+    AccessError, BagError, BenchError, BringupError, ConfigError, ExperimentError, SrnnError,
+)  # fmt: skip
+
 _ENVIRONMENT = """\
 The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless other hosts
 are named or ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. SRNN_REALTIME_PRIORITY sets the
@@ -58,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
     try:
         return int(options.run(options))
-    except (AccessError, BagError, BringupError, ConfigError, ExperimentError, SrnnError) as error:
+    except _MISTAKES as error:
         print(f'srnn {options.command}: {error}', file=sys.stderr)
         return WRONG_USE
     except OSError as error:
@@ -93,6 +99,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('key', 'Make the key by which the nodes know each other.'),
             ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
             ('experiment', 'Many trials on simulated time: runs and tables.'),
+            ('bench', 'The planner beside other simulators and planners, timed in turn.'),
         )
     }  # fmt: skip
     _add_demo(commands['demo'])
@@ -111,6 +118,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     commands['record'].set_defaults(run=_record)
     add_replay(commands['replay'])
     add_report(commands['report'])
+    add_bench(commands['bench'])
     for name in ('up', 'pause', 'resume', 'record'):
         add_peers(commands[name])
     for name in ('demo', 'up', 'pause', 'resume', 'record'):
