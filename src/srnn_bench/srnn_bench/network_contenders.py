@@ -67,7 +67,7 @@ NETWORK_CONTENDERS: tuple[Contender[NetworkSetting], ...] = (
     Contender(
         'nest', 'NEST, pp_psc_delta',
         'spike probability 1 - exp(-exp(beta u - c)), without the limit p_max, for which it has '
-        'no parameter: more spikes; history and what context neurons do drawn beforehand, not timed',
+        'no parameter: more spikes; history and activity of context neurons not timed',
         'nest_network', 'NestNetwork', lambda setting: (setting.task,), NEST,
     ),
 )  # fmt: skip

@@ -46,6 +46,10 @@ from srnn_bringup.report import Outputs
         ('record', 'the following arguments are required: BAG'),
         ('record /', "'/': is there already; name a new directory"),
         ('demo --record /', "'/': is there already; name a new directory"),
+        ('bench --only numpy,brain2', "unknown row 'brain2'; rows: sampler, planner, numpy, "),
+        ('bench --repeats 0', 'a whole number from 1'),
+        ('bench --scene four_waypoint', "did you mean 'four_waypoints'?"),
+        ('bench --out /nowhere/bench.md', "no directory '/nowhere'"),
         ('doctor --all', "unknown argument '--all'"),
     ],
 )
@@ -83,7 +87,10 @@ def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):
 
 @pytest.mark.parametrize(
     'command',
-    [[], ['demo'], ['up'], ['pause'], ['resume'], ['record'], ['doctor'], ['key', 'create']],
+    [
+        [], ['demo'], ['up'], ['pause'], ['resume'], ['record'], ['doctor'], ['bench'],
+        ['key', 'create'],
+    ],
 )
 def test_help_explains_every_option(command, capsys):
     with pytest.raises(SystemExit) as end:
