@@ -51,11 +51,11 @@ class ShortestLength:
         ends = ends[clearance(ends, self._obstacles) >= self._distance]
         to_end = self._lengths(self._nodes(start), ends).min(axis=1, initial=np.inf)
         left = np.concatenate([self._lengths(start[None], self._corners)[0], [0.0]])
-        done = np.zeros(len(left), dtype=bool)
-        while not done.all():
+        waiting = set(range(len(left)))
+        while waiting:
             # Dijkstra: the nearest corner that has not been left yet.
-            k = int(np.where(done, np.inf, left).argmin())
-            done[k] = True
+            k = min(waiting, key=left.__getitem__)
+            waiting.remove(k)
             if k < len(self._corners):
                 left[:-1] = np.minimum(left[:-1], left[k] + self._between[k])
         return float((left + to_end).min())

@@ -9,6 +9,7 @@ match differs more in 9 of a million comparisons: a test here fails in vain once
 
 import numpy as np
 import pytest
+from threadpoolctl import threadpool_limits
 
 from srnn_bench.compiled_network import CompiledSampler, WholePlanning
 from srnn_bench.network_contenders import NETWORK_CONTENDERS, NetworkSetting
@@ -20,6 +21,13 @@ from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 RUNS, BOUND = 20, 6.0
 SETTING = NetworkSetting(ModelParameters(), PlanningParameters(), 0)
 TASK = SETTING.task
+
+
+@pytest.fixture(scope='module', autouse=True)
+def one_thread():
+    """Threads of BLAS that wait for each other take a busy machine a hundred times as long."""
+    with threadpool_limits(1):
+        yield
 
 
 def figures(runner, first_seed):
@@ -100,6 +108,7 @@ def test_brian2_draws_from_the_distribution_of_the_reference(name, start, refere
     assert (deviation(figures(start(name), 0), reference) < BOUND).all()
 
 
+@pytest.mark.slow
 def test_nest_draws_from_its_law_of_spiking_and_in_all_else_from_the_reference(
     start, reference, monkeypatch
 ):
