@@ -20,6 +20,9 @@ setup(
         (f'share/{PACKAGE}', ['package.xml']),
     ],
     install_requires=['setuptools', 'numpy'],
-    extras_require={'peers': ['brian2', 'nest-simulator', 'ompl'], 'test': ['pytest', 'threadpoolctl']},
+    extras_require={
+        'peers': ['brian2', 'nest-simulator', 'ompl'],
+        'test': ['pytest', 'threadpoolctl'],
+    },
     zip_safe=False,
 )

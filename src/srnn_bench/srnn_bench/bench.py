@@ -37,7 +37,8 @@ REPEATS = 20
 _NETWORK = """\
 One segment is planned: {samples} movements of {steps} steps of {neurons} state neurons, all on one
 thread. The rows take turns, so that all see the same machine; p50 and p95 of {repeats} rounds.
-Building is what comes before the first result: process, code, synapses, one run.\
+Building is what comes before the first result: process, code, synapses, one run; code that an
+earlier run has compiled and kept is used.\
 """
 
 _NAVIGATION = """\

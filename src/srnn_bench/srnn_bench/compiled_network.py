@@ -10,7 +10,7 @@ from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 from srnn_planner.core.planner import PlanRequest, SegmentPlanner
 from srnn_planner.core.random_words import seeds
 from srnn_planner.core.retreat import at_rest
-from srnn_planner.core.sampling_kernel import Sampler
+from srnn_planner.core.sampler import Sampler
 
 VELOCITY = 0.1
 """Execution speed of the planned segment [m/s]."""

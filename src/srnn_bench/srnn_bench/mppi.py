@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Cost = Callable[[NDArray[np.float64]], NDArray[np.float64]]
-"""Cost (K,) of K paths (K, T, 2) [m]."""
+"""Cost (K,) of K paths (K, T, 2) [m]: a mean over the T steps, and what their end adds."""
 
 
 @dataclass(frozen=True)
@@ -69,6 +69,7 @@ class Mppi:
         noise[0] = 0.0
         velocities = self._limited(self._plan + noise)
         paths = position + p.period * np.cumsum(velocities, axis=1)
+        # Costs are means over the horizon; so is that of leaving the plan.
         effort = p.temperature * np.einsum('td,ktd->k', self._plan, noise) / sigma**2
         costs = self._cost(paths) + effort / p.horizon
         weights = np.exp(-(costs - costs.min()) / p.temperature)

@@ -20,12 +20,10 @@ _COLLISION = 10.0
 class MppiNavigator:
     """Goes where the next step is planned to, until the way point is reached."""
 
-    def __init__(
-        self, task: NavigationTask, parameters: MppiParameters | None = None
-    ) -> None:
+    def __init__(self, task: NavigationTask, parameters: MppiParameters) -> None:
         """Map the obstacles."""
         self._task = task
-        self._parameters = parameters or MppiParameters()
+        self._parameters = parameters
         self._map = ClearanceMap(task.obstacles)
         self._needed = task.radius + ROOM + OFF_CENTRE
 

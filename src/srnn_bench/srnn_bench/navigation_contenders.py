@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 
 from srnn_bench.contender import Contender
+from srnn_bench.mppi import MppiParameters
 from srnn_bench.navigation_task import ROOM, NavigationTask
 from srnn_bench.ompl_budget import BUDGET
 from srnn_bench.peers import OMPL
@@ -25,6 +26,8 @@ class NavigationSetting:
     model: ModelParameters
     planning: PlanningParameters
 
+
+_MPPI = MppiParameters()
 
 _CHECKED = (
     f'leaves {1e3 * ROOM:.0f} mm to the obstacle; one query a leg; validity is looked up in a '
@@ -52,8 +55,9 @@ NAVIGATION_CONTENDERS: tuple[Contender[NavigationSetting], ...] = (
         'OmplNavigator', lambda setting: (setting.task, 'RRTstar', False), OMPL,
     ),
     Contender(
-        'mppi', 'MPPI, NumPy', f'leaves {1e3 * ROOM:.0f} mm; plans a step of 50 ms at a time: 256 '
-        'paths of 3 s; a point that obeys velocities at once', 'mppi_navigator', 'MppiNavigator',
-        lambda setting: (setting.task,),
+        'mppi', 'MPPI, NumPy', f'leaves {1e3 * ROOM:.0f} mm; plans a step of '
+        f'{1e3 * _MPPI.period:.0f} ms at a time: {_MPPI.rollouts} paths of '
+        f'{_MPPI.period * _MPPI.horizon:.0f} s; a point that obeys velocities at once',
+        'mppi_navigator', 'MppiNavigator', lambda setting: (setting.task, _MPPI),
     ),
 )  # fmt: skip

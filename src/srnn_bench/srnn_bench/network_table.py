@@ -11,7 +11,7 @@ from srnn_bench.network_contenders import SAMPLER, NetworkSetting
 from srnn_bench.quantiles import Quantiles, quantiles
 
 NETWORK_COLUMNS = (
-    'row', 'p50 / p95 [ms]', 'p50 of the sampler', 'spikes per movement', 'build [s]', 'remark',
+    'row', 'p50 / p95 [ms]', 'times the sampler', 'spikes per movement', 'build [s]', 'remark',
 )  # fmt: skip
 
 

@@ -2,4 +2,4 @@
 """The time that planners of OMPL have."""
 
 BUDGET = 0.05
-"""What RRT* has for a query, and what RRT-Connect may take at most [s]."""
+"""What RRT* has for a query, and what the search of RRT-Connect may take at most [s]."""

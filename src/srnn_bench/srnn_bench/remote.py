@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A peer in a process of its own, with packages of its own if it needs them."""
 
+from contextlib import suppress
 import os
 from pathlib import Path
 import pickle
@@ -61,7 +62,9 @@ class Remote:
         """End the process."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
-        self._process.stdin.close()
+        # Of a process that has ended there may be a request that nobody has read.
+        with suppress(BrokenPipeError):
+            self._process.stdin.close()
         self._process.stdout.close()
         self._process.wait()
 
@@ -72,7 +75,7 @@ class Remote:
             pickle.dump(request, self._process.stdin)
             self._process.stdin.flush()
             done, result = pickle.load(self._process.stdout)
-        except (BrokenPipeError, EOFError) as error:
+        except (BrokenPipeError, EOFError, pickle.UnpicklingError) as error:
             raise PeerError(f'its process has ended with code {self._process.wait()}') from error
         if not done:
             raise PeerError(str(result))

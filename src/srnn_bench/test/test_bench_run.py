@@ -121,6 +121,8 @@ def test_what_a_peer_prints_or_raises_does_not_get_between_replies(talkative):
 def test_a_peer_whose_process_ends_is_an_error(talkative):
     with pytest.raises(PeerError, match='its process has ended with code 5'):
         talkative.run(2)
+    with pytest.raises(PeerError, match='code 5'):
+        talkative.run(1)
 
 
 def test_a_contender_that_cannot_be_built_has_the_reason_as_its_row():

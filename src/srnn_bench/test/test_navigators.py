@@ -10,6 +10,7 @@ import pytest
 from srnn_bench.clearance_map import OFF_CENTRE, ClearanceMap
 from srnn_bench.grid_navigator import GridNavigator
 from srnn_bench.known_navigator import KnownNavigator
+from srnn_bench.mppi import MppiParameters
 from srnn_bench.mppi_navigator import MppiNavigator
 from srnn_bench.navigation_task import NO_PATH, navigation_task
 from srnn_bench.path_quality import quality
@@ -38,7 +39,7 @@ def ompl(planner, simplify):
     [
         (network, False),
         (lambda: GridNavigator(TASK), True),
-        (lambda: MppiNavigator(TASK), False),
+        (lambda: MppiNavigator(TASK, MppiParameters()), False),
         (lambda: ompl('RRTConnect', True), True),
         (lambda: ompl('RRTstar', False), True),
     ],
