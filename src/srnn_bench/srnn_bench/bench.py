@@ -132,7 +132,7 @@ def run_bench(asked: Asked, say: Callable[[str], None]) -> Results:
     """Measure both tables; `say` is told what goes on."""
     facts = machine_facts()
     model, planning = ModelParameters(), PlanningParameters()
-    navigation = NavigationSetting(navigation_task(asked.scene), model, planning)
+    navigation = NavigationSetting(navigation_task(asked.scene), model, planning, asked.seed)
     runners = chosen(NETWORK_CONTENDERS, asked.only)
     navigators = chosen(NAVIGATION_CONTENDERS, asked.only)
     seeds = range(asked.seed, asked.seed + asked.repeats)

@@ -19,12 +19,14 @@ class NavigationSetting:
         task: where to go, and what is in the way.
         model: the network.
         planning: how one segment is planned.
+        seed: first of the seeds.
 
     """
 
     task: NavigationTask
     model: ModelParameters
     planning: PlanningParameters
+    seed: int
 
 
 _MPPI = MppiParameters()
@@ -47,12 +49,14 @@ NAVIGATION_CONTENDERS: tuple[Contender[NavigationSetting], ...] = (
     ),
     Contender(
         'rrt-connect', 'OMPL, RRT-Connect', f'{_CHECKED}; with simplification', 'ompl_navigator',
-        'OmplNavigator', lambda setting: (setting.task, 'RRTConnect', True), OMPL,
+        'OmplNavigator', lambda setting: (setting.task, 'RRTConnect', True, setting.seed),
+        OMPL,
     ),
     Contender(
         'rrt-star', 'OMPL, RRT*',
         f'{_CHECKED}; uses all of its {1e3 * BUDGET:.0f} ms', 'ompl_navigator',
-        'OmplNavigator', lambda setting: (setting.task, 'RRTstar', False), OMPL,
+        'OmplNavigator', lambda setting: (setting.task, 'RRTstar', False, setting.seed),
+        OMPL,
     ),
     Contender(
         'mppi', 'MPPI, NumPy', f'leaves {1e3 * ROOM:.0f} mm; plans a step of '

@@ -20,18 +20,19 @@ _RESOLUTION = 0.002
 class OmplNavigator:
     """Plans once, with `ROOM` between tool and obstacle, in continuous space."""
 
-    def __init__(self, task: NavigationTask, planner: str, simplify: bool) -> None:
+    def __init__(self, task: NavigationTask, planner: str, simplify: bool, seed: int) -> None:
         """Map the obstacles.
 
         Args:
             task: what is in the way.
             planner: class of the planner in `ompl.geometric`.
             simplify: shorten the path that it finds.
+            seed: of the first query; OMPL derives those of the others from it.
 
         """
         util.setLogLevel(util.LOG_NONE)
-        # Seeds are given to planners one after the other: runs are the same in the same order.
-        util.RNG.setSeed(1)
+        # OMPL takes no seed for a query; 0 would stand for the time of day.
+        util.RNG.setSeed(seed + 1)
         self._task = task
         self._planner = getattr(geometric, planner)
         self._simplify = simplify
@@ -46,7 +47,7 @@ class OmplNavigator:
         self._space.setBounds(bounds)
 
     def run(self, leg: int, _: int) -> Attempt:
-        """Plan the way of a leg; setting the problem up counts."""
+        """Plan the way of a leg, with the next random numbers; setting the problem up counts."""
         way = self._task.legs[leg]
         began = perf_counter()
         setup = geometric.SimpleSetup(self._space)

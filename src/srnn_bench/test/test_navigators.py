@@ -31,7 +31,7 @@ def ompl(planner, simplify):
     pytest.importorskip('ompl')
     from srnn_bench.ompl_navigator import OmplNavigator
 
-    return OmplNavigator(TASK, planner, simplify)
+    return OmplNavigator(TASK, planner, simplify, 0)
 
 
 @pytest.mark.parametrize(
