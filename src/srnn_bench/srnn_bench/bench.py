@@ -20,6 +20,7 @@ from srnn_bench.navigation_task import navigation_task
 from srnn_bench.network_contenders import NETWORK_CONTENDERS, NetworkSetting
 from srnn_bench.network_table import (
     NETWORK_COLUMNS,
+    TURN,
     NetworkRow,
     measure_network,
     network_cells,
@@ -36,7 +37,8 @@ REPEATS = 20
 
 _NETWORK = """\
 One segment is planned: {samples} movements of {steps} steps of {neurons} state neurons, all on one
-thread. The rows take turns, so that all see the same machine; p50 and p95 of {repeats} rounds.
+thread. The rows take turns of {turn} runs, so that all see the same machine, and the run before
+each turn does not count; p50 and p95 of {repeats} rounds.
 Building is what comes before the first result: process, code, synapses, one run; code that an
 earlier run has compiled and kept is used.\
 """
@@ -100,7 +102,7 @@ class Results:
         if self.network:
             text = _NETWORK.format(
                 samples=sampling.samples, steps=sampling.steps, repeats=asked.repeats,
-                neurons=self.setting.model.network.neurons,
+                neurons=self.setting.model.network.neurons, turn=TURN,
             )  # fmt: skip
             cells = network_cells(self.network)
             parts += ['## The same network', text, table(NETWORK_COLUMNS, cells)]
