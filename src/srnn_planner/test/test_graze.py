@@ -31,6 +31,15 @@ def test_in_even_blockage_its_root_times_length_and_caution_count():
     assert graze(paths, MEAN, 0.25 * EVERYWHERE, 0.3) == pytest.approx([0.45, 0.15])
 
 
+def test_what_is_met_is_the_root_of_the_blockage_along_the_path(rng):
+    paths = np.cumsum(rng.normal(0.0, 0.05, (6, 15, 2)), axis=1)
+    blockage = np.where(rng.random(len(FREE)) < 0.5, rng.random(len(FREE)), 0.0)
+    met = np.sqrt(NEURONS.interpolate(blockage, paths.reshape(-1, 2))).reshape(6, 15)
+    travelled = np.linalg.norm(np.diff(paths, axis=1), axis=2)
+    expected = (travelled * met[:, 1:]).sum(axis=1) + 0.4 * met.max(axis=1)
+    assert graze(paths, MEAN, blockage, 0.4) == pytest.approx(expected, rel=1e-6)
+
+
 def test_round_a_blocked_place_nothing_is_met_and_through_it_most():
     blockage = np.exp(-0.5 * (NEURONS.positions**2).sum(axis=1) / 0.15**2)
     through = straight((-0.8, 0.0), (0.8, 0.0), 21)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How much of what is blocked a path meets."""
 
+import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -28,10 +29,24 @@ def graze(
         (S,) [units], 0 where all is free.
 
     """
-    samples, steps, dimensions = paths.shape
     if not blockage.any():
-        return np.zeros(samples)
-    blocked = mean.at(blockage, paths.reshape(-1, dimensions))
-    met = np.sqrt(blocked).reshape(samples, steps)
-    travelled = np.linalg.norm(np.diff(paths, axis=1), axis=2)
-    return np.asarray((travelled * met[:, 1:]).sum(axis=1) + caution * met.max(axis=1))
+        return np.zeros(len(paths))
+    samples, steps, dimensions = paths.shape
+    blocked = mean.at(blockage, np.ascontiguousarray(paths).reshape(-1, dimensions))
+    return np.asarray(_met(paths, blocked.reshape(samples, steps), caution))
+
+
+@numba.njit(cache=True, error_model='numpy')
+def _met(paths, blocked, caution):
+    samples, steps, dimensions = paths.shape
+    met = np.zeros(samples)
+    for s in range(samples):
+        most = blocked[s, 0]
+        for t in range(1, steps):
+            square = 0.0
+            for d in range(dimensions):
+                square += (paths[s, t, d] - paths[s, t - 1, d]) ** 2
+            met[s] += np.sqrt(square * blocked[s, t])
+            most = max(most, blocked[s, t])
+        met[s] += caution * np.sqrt(most)
+    return met

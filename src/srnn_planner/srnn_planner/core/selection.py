@@ -13,7 +13,7 @@ from srnn_planner.core.parameters import SelectionParameters
 Judged = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
 BATCH = 8
-"""Modes judged at a time."""
+"""Modes judged at a time: so many first, twice as many then, and so on."""
 
 
 class Cost(NamedTuple):
@@ -104,9 +104,10 @@ def _cheapest(paths: NDArray[np.float64], cost: Cost) -> int:
     least = cost.least(paths)
     order = np.argsort(least, kind='stable')
     lowest, cheapest = np.inf, 0
-    for batch in np.split(order, range(BATCH, len(order), BATCH)):
-        if least[batch[0]] > lowest:
-            break
+    first, size = 0, BATCH
+    while first < len(order) and least[order[first]] <= lowest:
+        batch = order[first : first + size]
+        first, size = first + size, 2 * size
         total = least[batch] + cost.more(paths[batch])
         best = np.lexsort((batch, total))[0]
         lowest, cheapest = min((lowest, cheapest), (float(total[best]), int(batch[best])))
