@@ -31,7 +31,7 @@ class Part:
 PARTS = (
     Part('planning', (str(HERE / 'kernels.py'), '--repeats', '1000')),
     Part('planning-30', (str(HERE / 'kernels.py'), '--repeats', '1000', '--steps', '30')),
-    Part('latency', (str(HERE / 'latency.py'),)),
+    Part('latency', (str(HERE / 'latency.py'), '--runs', '5', '--segments', '8')),
     Part('peers', ('-m', 'srnn_bringup.cli', 'bench')),
 )
 
@@ -47,7 +47,9 @@ def replaced(page: str, name: str, table: str) -> str:
     pattern = re.compile(f'{re.escape(begin)}\n.*?{re.escape(end)}', re.DOTALL)
     if not pattern.search(page):
         raise ValueError(f'{PAGE}: has no lines {begin} and {end}')
-    return pattern.sub(lambda _: f'{begin}\n{table.strip()}\n{end}', page)
+    # Headings of a table are below those of the page.
+    lower = re.sub('^(?=#)', '##', table.strip(), flags=re.MULTILINE)
+    return pattern.sub(lambda _: f'{begin}\n{lower}\n{end}', page)
 
 
 def main() -> int:

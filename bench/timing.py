@@ -4,11 +4,12 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 import os
-from pathlib import Path
 import platform
 import time
 
 import numpy as np
+
+from srnn_bench.machine import processor
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,4 @@ def times_ms(*calls: Callable[[], object], repeats: int) -> list[Times]:
 
 def machine() -> str:
     """Return the processor, how many of it, and versions, in one line."""
-    text = Path('/proc/cpuinfo').read_text(encoding='utf-8')
-    names = [line.partition(':')[2].strip() for line in text.splitlines() if 'model name' in line]
-    name = names[0] if names else platform.machine()
-    return f'{name}, {os.cpu_count()} cores, Python {platform.python_version()}'
+    return f'{processor()}, {os.cpu_count()} cores, Python {platform.python_version()}'

@@ -17,7 +17,7 @@ _PROCESSOR = Path('/proc/cpuinfo')
 def machine_facts() -> dict[str, str]:
     """Return processor, cores, operating system, Python and versions, by what they are."""
     facts = {
-        'processor': _processor(),
+        'processor': processor(),
         'cores': f'{len(os.sched_getaffinity(0))} usable of {os.cpu_count()}',
         'load': f'{os.getloadavg()[0]:.1f} before the run',
         'operating system': platform.platform(),
@@ -29,7 +29,8 @@ def machine_facts() -> dict[str, str]:
     return facts
 
 
-def _processor() -> str:
+def processor() -> str:
+    """Return what the processor is called."""
     lines = _PROCESSOR.read_text(encoding='utf-8').splitlines() if _PROCESSOR.exists() else []
     models = [line.partition(':')[2].strip() for line in lines if line.startswith('model name')]
     return models[0] if models else platform.processor() or platform.machine()
