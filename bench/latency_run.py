@@ -17,6 +17,7 @@ from srnn_bringup.latency import answers, lessons
 from srnn_bringup.latency.planning_share import planning_shares
 from srnn_bringup.page.bag_run import read_run
 from srnn_bringup.page.timings import timings
+from srnn_replay import planner_replay, tracker_replay
 from srnn_replay.recording import Recording, prefixes
 
 SHARE = 'planning, as a share of its segment'
@@ -94,8 +95,8 @@ def run(
 def _measured(directory: Path, began_ns: int, active_ns: int) -> Measured:
     bag = open_bag(directory)
     prefix = prefixes(bag)[0]
-    tracker = Recording(bag, answers.NODE, answers.TOPICS, prefix)
-    planner = Recording(bag, lessons.NODE, lessons.TOPICS, prefix)
+    tracker = Recording(bag, tracker_replay.NODE, answers.TOPICS, prefix)
+    planner = Recording(bag, planner_replay.NODE, lessons.TOPICS, prefix)
     found = answers.answers(tracker)
     figures = {
         **timings(read_run(directory)),

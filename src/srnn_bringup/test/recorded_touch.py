@@ -10,7 +10,6 @@ from rclpy.serialization import serialize_message
 
 from lwr_description import JOINT_NAMES, Kinematics, Mount
 from srnn_bag import BagWriter
-from srnn_bringup.latency.answers import COMMANDS
 from srnn_config.scene import Obstacle
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.journal import Deed, Journal, row
@@ -20,6 +19,7 @@ from srnn_msgs_py.segment import FRAME, Segment
 from srnn_msgs_py.topics import topic
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_msgs_py.wrench import Wrench
+from srnn_replay.tracker_replay import COMMANDS
 
 MS = 1_000_000
 BEGIN = 1_700_000_000_000_000_000

@@ -10,6 +10,7 @@ from srnn_bag import open_bag
 from srnn_bringup.latency import answers, lessons, touches
 from srnn_bringup.latency.planning_share import planning_shares
 from srnn_config.scene import Obstacle
+from srnn_replay import planner_replay, tracker_replay
 from srnn_replay.recording import Recording
 
 
@@ -20,12 +21,12 @@ def bag(tmp_path_factory):
 
 @pytest.fixture(scope='module')
 def tracker(bag):
-    return Recording(bag, answers.NODE, touches.TOPICS, '/')
+    return Recording(bag, tracker_replay.NODE, touches.TOPICS, '/')
 
 
 @pytest.fixture(scope='module')
 def planner(bag):
-    return Recording(bag, lessons.NODE, lessons.TOPICS, '/')
+    return Recording(bag, planner_replay.NODE, lessons.TOPICS, '/')
 
 
 def test_every_answer_is_counted_from_the_joint_state_that_it_answers(tracker):

@@ -9,10 +9,8 @@ from numpy.typing import NDArray
 from srnn_msgs_py.journal import Deed
 from srnn_replay.joint_state_bytes import stamp_ns
 from srnn_replay.recording import Recording, Session, of_session
+from srnn_replay.tracker_replay import COMMANDS, MEASURED
 
-NODE = 'tracker'
-MEASURED = 'joint_states'
-COMMANDS = 'forward_position_controller/commands'
 TOPICS = (MEASURED, COMMANDS)
 
 _COMMANDING = (Deed.MEASURED, Deed.ASSUMED)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from srnn_bag import Bag
 from srnn_bringup.latency import answers, lessons, touches
+from srnn_replay import planner_replay, tracker_replay
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, prefixes
 
@@ -35,8 +36,8 @@ def latencies(bag: Bag) -> Mapping[str, NDArray[np.float64]]:
 
     """
     prefix = prefixes(bag)[0]
-    tracker = Recording(bag, answers.NODE, touches.TOPICS, prefix)
-    planner = Recording(bag, lessons.NODE, lessons.TOPICS, prefix)
+    tracker = Recording(bag, tracker_replay.NODE, touches.TOPICS, prefix)
+    planner = Recording(bag, planner_replay.NODE, lessons.TOPICS, prefix)
     origin = RunOrigin(bag)
     finder = touches.TouchFinder(tracker, origin.tracker().mount, origin.planner().scene.obstacles)
     touched, taught = finder.touches(), lessons.lessons(planner)

@@ -9,7 +9,6 @@ from srnn_msgs_py.ros import result, segment, weights
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_replay.recording import Decoded, Recording, Session
 
-NODE = 'planner'
 TOPICS = ('segment', 'segment_result', 'weights')
 
 

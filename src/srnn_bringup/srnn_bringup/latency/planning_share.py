@@ -8,7 +8,6 @@ from srnn_msgs_py.journal import Deed, number
 from srnn_msgs_py.ros import segment
 from srnn_replay.recording import Recording
 
-NODE = 'planner'
 TOPICS = ('segment',)
 
 

@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from lwr_description import JOINT_NAMES, Kinematics, Mount
 from srnn_bag import Message
-from srnn_bringup.latency.answers import COMMANDS, MEASURED, answered
+from srnn_bringup.latency.answers import answered
 from srnn_config.geometry import clearance
 from srnn_config.scene import Obstacle
 from srnn_msgs_py.result import ResultCode
 from srnn_msgs_py.ros import result, wrench
 from srnn_replay.joint_state_bytes import JointStateBytes, stamp_ns
 from srnn_replay.recording import Recording
+from srnn_replay.tracker_replay import COMMANDS, MEASURED
 
 TRUTH = 'contact_truth'
 TOPICS = (MEASURED, COMMANDS, 'segment_result', TRUTH)

@@ -52,10 +52,12 @@ class Sampler:
         self._bias = bias
         self._others = float(np.abs(bias).max()) + context_max + abs(self.law.seldom)
         self.synapses: SynapseSpans
+        self._whole_bias: NDArray[np.int32]
 
     def use_weights(self, weights: NDArray[np.float32]) -> None:
         """Run the network with weights (K, K) from now on."""
         self.synapses = synapse_spans(weights, self._offset, self._others)
+        self._whole_bias = _whole(self._bias * self.synapses.scale)
 
     def sample(
         self,
@@ -76,10 +78,10 @@ class Sampler:
                 positions of the neurons that spiked and, last, their number.
 
         """
-        scale = self.synapses.scale
         spikes, activity = sampling_kernel.sample(
-            self.synapses, _whole(self._bias * scale), _whole(context.weights * scale),
-            context.spike_probability, history, seeds, self._positions, self.law,
+            self.synapses, self._whole_bias,
+            _whole(context.weights * self.synapses.scale), context.spike_probability,
+            history, seeds, self._positions, self.law,
         )  # fmt: skip
         return spikes, activity
 
