@@ -100,7 +100,12 @@ def test_a_driver_that_is_killed_leaves_the_arm_at_rest_and_its_successor_begins
     killed = watched.kill('fri_driver')
     # The process that answers the controller outlives its node, until the arm has come to rest.
     watched.until(lambda: not Path(f'/proc/{loop}').exists(), STOP_S)
-    watched.until(lambda: watched.health['fri_emulator'][-1][1].message == 'monitor mode')
+    watched.until(
+        lambda: any(
+            t > killed and health.message == 'monitor mode'
+            for t, health in watched.health['fri_emulator']
+        )
+    )
     watched.until(
         lambda: any(t > killed for t, _ in watched.health['fri_driver'])
         and phase(watched) == Phase.COMMANDING.name

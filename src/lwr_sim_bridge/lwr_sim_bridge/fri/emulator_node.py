@@ -87,6 +87,7 @@ class EmulatorNode(WorkspaceNode):
         self._period = TICK * parameters.cycle
         self._cycles_per_truth = max(round(TRUTH_S / self._period), 1)
         self._cycles = 0
+        self._state = self._controller.state
         self._topics = SceneTopics(self, len(scene.obstacles), lambda: self._arm)
         self.create_service(Trigger, '~/acknowledge', self._on_acknowledge)
 
@@ -125,6 +126,9 @@ class EmulatorNode(WorkspaceNode):
         self._cycles += 1
         if self._cycles % self._cycles_per_truth == 0:
             self._topics.report(self.get_clock().now().nanoseconds)
+        if self._controller.state != self._state:  # Between two reports it may change twice.
+            self._state = self._controller.state
+            self.report_health()
 
     def _send(self, packet: bytes) -> None:
         now = time.monotonic()
