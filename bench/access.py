@@ -20,12 +20,12 @@ from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.ros import commands, joints, segment, weights
 from srnn_msgs_py.segment import Segment
 from srnn_msgs_py.topics import topic
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_node.inlet import Inlet
 from srnn_node.outlet import Outlet
 
 ROUNDS = 7
-KNOTS, NEURONS = 40, 225
+KNOTS, NEURONS, LEARNED = 40, 225, 4000
 RATES = {
     'forward_position_controller/commands': 250.0,
     'joint_states': 250.0,
@@ -43,8 +43,10 @@ def message(name: str) -> Any:
         points = rng.random((KNOTS, 2))
         return segment.to_msg(Segment(1, np.arange(KNOTS) / KNOTS, points, points, points))
     if name == 'weights':
-        matrix = rng.random((NEURONS, NEURONS), dtype=np.float32)
-        return weights.to_msg(WeightsUpdate(1, 1, matrix))
+        synapses = np.sort(rng.choice(NEURONS**2, LEARNED, replace=False))
+        values = rng.random(LEARNED, dtype=np.float32)
+        learned = LearnedWeights(NEURONS, 1, synapses, values)
+        return weights.to_msg(WeightsUpdate(1, 1, learned))
     if name == 'joint_states':
         return joints.to_msgs(JointSample(1, angles, angles, angles, angles), JOINT_NAMES)[0]
     return commands.to_msg(angles)

@@ -18,6 +18,7 @@ from srnn_planner.core.checkpoint_keeper import CheckpointKeeper
 from srnn_planner.core.history import LENGTH
 from srnn_planner.core.learned_model import LearnedModel
 from srnn_planner.core.parameters import ModelParameters
+from srnn_planner.core.synapses import Synapses
 
 SAVES = 200
 
@@ -26,10 +27,10 @@ def full_model() -> LearnedModel:
     """Return a model whose history and way back are as long as they get."""
     model = LearnedModel(Learner(ModelParameters(), np.random.default_rng(1)))
     rng = np.random.default_rng(2)
-    shape = model.learner.weights.shape
+    prior = model.learner.neurons.prior
     for n in range(LENGTH):
-        weights = rng.uniform(-1.0, 1.0, shape).astype(np.float32)
-        model.load(WeightsUpdate(n, 0, weights), n)
+        weights = rng.uniform(-1.0, 1.0, (prior.grid.count,) * 2).astype(np.float32)
+        model.load(WeightsUpdate(n, 0, Synapses.of(prior, weights).learned), n)
     return model
 
 

@@ -60,14 +60,12 @@ class PlanningCalls:
         self.planner = SegmentPlanner(MODEL, self.planning, np.random.default_rng(3))
         learner = Learner(MODEL, np.random.default_rng(4))
         learner.learn(*touch(steps))
-        self.planner.use_weights(learner.weights)
+        self.planner.use_weights(learner.synapses.learned)
         self.rng = np.random.default_rng(5)
         self.goal: Goal = self.planner._goal(TARGET)
-        self.sampler = Sampler(
-            MODEL.network, self.planner.neurons.positions, np.zeros(MODEL.network.neurons),
-            planning.context.amplitude,
-        )  # fmt: skip
-        self.sampler.use_weights(learner.weights)
+        nothing = np.zeros(MODEL.network.neurons)
+        self.sampler = Sampler(self.planner.neurons, nothing, planning.context.amplitude)
+        self.sampler.use_weights(learner.synapses)
         self.window = window(steps, MODEL.network.tau, planning.sampling.decode_sigma)
 
     def history(self) -> np.ndarray:
@@ -82,7 +80,8 @@ class PlanningCalls:
         """Draw all random numbers of the reference."""
         size = (self.planning.sampling.samples, self.planning.sampling.steps)
         return SampleInput(
-            self.planner.weights, context, np.zeros(MODEL.network.neurons), self.history(),
+            self.planner.synapses.dense(), context, np.zeros(MODEL.network.neurons),
+            self.history(),
             self.rng.random((*size, MODEL.network.neurons), dtype=np.float32),
             self.rng.random((*size, len(context.weights)), dtype=np.float32),
         )  # fmt: skip
@@ -98,11 +97,9 @@ class PlanningCalls:
         average = MODEL.workspace.to_metres(paths[:4].mean(axis=0))
         extent = MODEL.workspace.half_extent
         plain = SegmentPlanner(MODEL, self.planning, np.random.default_rng(3))
-        plain._sampler = PlainSampler(
-            MODEL.network, plain.neurons.positions, np.zeros(MODEL.network.neurons), 0.0
-        )
+        plain._sampler = PlainSampler(plain.neurons, np.zeros(MODEL.network.neurons), 0.0)
         plain._mean = InNumPy(plain.neurons)
-        plain.use_weights(self.planner.weights)
+        plain.use_weights(self.planner.synapses.learned)
         work = lower_bound.work(
             MODEL.network, self.given(self.goal.context), self.sampler
         )
@@ -142,7 +139,7 @@ def update_calls(steps: int) -> Calls:
     mismatch = experienced(MODEL, learner.neurons, *touch(steps))
     experience: Experience = learner._experience(mismatch, learner._signal.rates(mismatch))
     rng, tau, replays = np.random.default_rng(2), MODEL.network.tau, MODEL.learning.replays
-    weights = learner.neurons.prior_weights
+    weights = learner.synapses.among(experience.neurons)
 
     def in_numpy() -> np.ndarray:
         size = experience.executed.shape

@@ -75,7 +75,7 @@ def draw(count):
 
 def go_through(synapses: SynapseSpans, work: Work) -> None:
     """Add the weights of all rows to potentials, and look at these as often as is needed."""
-    neurons = len(synapses.first) - 1
+    neurons = len(synapses.pattern)
     _go_through(synapses, work.rows, work.steps, neurons)
 
 
@@ -88,8 +88,9 @@ def _go_through(synapses, rows, steps, neurons):
         while row < len(rows) * (step + 1) // steps:
             k = rows[row]
             row += 1
-            for n in range(synapses.first[k], synapses.first[k + 1]):
-                low, span = np.uint64(synapses.start[n]), synapses.values[n]
+            pattern = synapses.pattern[k]
+            for n in range(synapses.first[pattern], synapses.first[pattern + 1]):
+                low, span = np.uint64(k + synapses.start[n]), synapses.values[n]
                 for i in range(np.uint64(len(span))):
                     u[low + np.uint64(i)] += span[np.uint64(i)]
         for block in range(blocks):

@@ -42,7 +42,7 @@ def line(setting: Setting, lag: float) -> str:
     reached = np.array([record.after.reached - record.before.reached for record in records])
     quarters = ', '.join(str(part.sum()) for part in np.array_split(reached, QUARTERS))
     prior = agent.learner.neurons.prior_weights
-    change = (agent.learner.weights - prior)[prior > 0.0].mean()
+    change = (agent.learner.synapses.dense() - prior)[prior > 0.0].mean()
     counters = run.sequencer.counters
     return (
         f'| {lag:g} | {quarters} | {change:.3f} | {counters.contacts} | '

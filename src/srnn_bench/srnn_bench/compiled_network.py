@@ -11,6 +11,8 @@ from srnn_planner.core.planner import PlanRequest, SegmentPlanner
 from srnn_planner.core.random_words import seeds
 from srnn_planner.core.retreat import at_rest
 from srnn_planner.core.sampler import Sampler
+from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 VELOCITY = 0.1
 """Execution speed of the planned segment [m/s]."""
@@ -22,10 +24,10 @@ class CompiledSampler:
     def __init__(self, task: NetworkTask, planning: PlanningParameters) -> None:
         """Give the sampler its weights."""
         self._task = task
-        self._sampler = Sampler(
-            task.network, task.positions, np.zeros(len(task.positions)), planning.context.amplitude
-        )
-        self._sampler.use_weights(task.weights)
+        neurons = StateNeurons(task.network)
+        bias = np.zeros(len(neurons.positions))
+        self._sampler = Sampler(neurons, bias, planning.context.amplitude)
+        self._sampler.use_weights(Synapses.of(neurons.prior, task.weights))
 
     def run(self, seed: int) -> NetworkRun:
         """Draw the history and run all samples."""

@@ -10,6 +10,7 @@ from srnn_bringup.errors import ChoiceError
 from srnn_bringup.options import new_file, picture_file
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core import belief, weights_file
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.synaptic_change import input_change, output_change
 
 if TYPE_CHECKING:
@@ -55,21 +56,19 @@ def _list(options: argparse.Namespace) -> int:
     began = source.versions[0].shared_ns
     print(_row(HEADING))
     for version in source.versions:
-        found = belief.change(
-            source.before(version).weights.matrix, version.weights.matrix, source.metres
-        )
+        before = source.synapses(source.before(version))
+        found = belief.change(before, source.synapses(version))
         after = f'{1e-9 * (version.shared_ns - began):.1f} s' if version.shared_ns else '-'
-        print(_row((str(version.weights.version), after, *_words(found))))
+        print(_row((str(version.weights.version), after, *_words(source, found))))
     return 0
 
 
 def _show(options: argparse.Namespace) -> int:
-    from srnn_bringup.belief_source import Version, read
+    from srnn_bringup.belief_source import read
 
     source, version = read(options.source)
-    prior = Version(WeightsUpdate(0, 0, source.neurons.prior_weights))
     title = f'version {version.weights.version} against the prior'
-    _draw(source, prior, version, title, options.picture)
+    _draw(source, source.prior, version, title, options.picture)
     return 0
 
 
@@ -77,9 +76,9 @@ def _diff(options: argparse.Namespace) -> int:
     from srnn_bringup.belief_source import read
 
     (source, one), (_, other) = read(options.one), read(options.other)
-    found = belief.change(one.weights.matrix, other.weights.matrix, source.metres)
+    found = belief.change(source.synapses(one), source.synapses(other))
     print(_row(HEADING[2:]))
-    print(_row(_words(found)))
+    print(_row(_words(source, found)))
     if options.picture is not None:
         _draw(source, one, other, f'{options.other} against {options.one}', options.picture)
     return 0
@@ -92,10 +91,9 @@ def _revert(options: argparse.Namespace) -> int:
     if AT not in options.source or len(source.versions) < 2:
         raise ChoiceError(f'{options.source}: name the update to undo as BAG{AT}N')
     newest = source.versions[-1]
-    matrix = belief.undone(
-        newest.weights.matrix, source.before(version).weights.matrix, version.weights.matrix
-    )
-    _save(options.weights, newest.weights.version + 1, matrix)
+    versions = newest, source.before(version), version
+    synapses = belief.undone(*map(source.synapses, versions))
+    _save(options.weights, newest.weights.version + 1, synapses)
     return 0
 
 
@@ -103,15 +101,13 @@ def _merge(options: argparse.Namespace) -> int:
     from srnn_bringup.belief_source import read
 
     (source, one), (_, other) = read(options.one), read(options.other)
-    matrix = belief.merged(
-        source.neurons.prior_weights, one.weights.matrix, other.weights.matrix
-    )
-    _save(options.weights, max(one.weights.version, other.weights.version) + 1, matrix)
+    synapses = belief.merged(source.synapses(one), source.synapses(other))
+    _save(options.weights, max(one.weights.version, other.weights.version) + 1, synapses)
     return 0
 
 
-def _save(path: Path, version: int, matrix: belief.Weights) -> None:
-    weights_file.save(path, WeightsUpdate(version, 0, matrix))
+def _save(path: Path, version: int, synapses: Synapses) -> None:
+    weights_file.save(path, WeightsUpdate(version, 0, synapses.learned))
     print(f'{path}: version {version}; start with `srnn up --weights {path}`')
 
 
@@ -121,12 +117,12 @@ def _draw(source: 'Belief', before: 'Version', after: 'Version', title: str, pat
     from srnn_bringup.plots.plane import draw_change
     from srnn_bringup.plots.style import DPI, styled
 
-    matrices = after.weights.matrix, before.weights.matrix
+    change = source.synapses(after), source.synapses(before)
     with styled():
         figure = Figure(figsize=(6.4, 5.4), dpi=DPI, layout='constrained')
         axes = figure.add_subplot()
         image = draw_change(
-            axes, source.metres, input_change(*matrices), output_change(*matrices)
+            axes, source.metres, input_change(*change), output_change(*change)
         )
         figure.colorbar(image, ax=axes, label='average change of synaptic input')
         axes.set_title(title, fontsize=11)
@@ -135,8 +131,9 @@ def _draw(source: 'Belief', before: 'Version', after: 'Version', title: str, pat
     print(f'picture: {path}')
 
 
-def _words(found: belief.Change) -> tuple[str, str, str]:
-    where = ', '.join(f'{x:.3f}' for x in found.centre) if found.synapses else '-'
+def _words(source: 'Belief', found: belief.Change) -> tuple[str, str, str]:
+    metres = source.model.workspace.to_metres(found.centre)
+    where = ', '.join(f'{x:.3f}' for x in metres) if found.synapses else '-'
     return str(found.synapses), f'{found.largest:+.3f}', where
 
 

@@ -2,6 +2,7 @@
 """Weights by name: a weight file, or a version of those that a bag has."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core import weights_file
 from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import decode
 
@@ -38,7 +40,7 @@ class Belief:
     model: ModelParameters
     versions: tuple[Version, ...]
 
-    @property
+    @cached_property
     def neurons(self) -> StateNeurons:
         """Return the neurons."""
         return StateNeurons(self.model.network)
@@ -47,6 +49,20 @@ class Belief:
     def metres(self) -> NDArray[np.float64]:
         """Return where the neurons are (K, d) [m]."""
         return np.asarray(self.model.workspace.to_metres(self.neurons.positions))
+
+    @property
+    def prior(self) -> Version:
+        """Return the version before anything was learned."""
+        return Version(WeightsUpdate(0, 0, Synapses(self.neurons.prior).learned))
+
+    def synapses(self, version: Version) -> Synapses:
+        """Return the weights of a version.
+
+        Raises:
+            WeightsError: they are of another network.
+
+        """
+        return self.neurons.synapses(version.weights.learned)
 
     def version(self, number: int | None) -> Version:
         """Return a version, the newest if None.
@@ -68,7 +84,7 @@ class Belief:
         index = self.versions.index(version)
         if index:
             return self.versions[index - 1]
-        return Version(WeightsUpdate(0, 0, self.neurons.prior_weights))
+        return self.prior
 
 
 def read(source: str) -> tuple[Belief, Version]:
@@ -100,7 +116,7 @@ def _split(source: str) -> tuple[Path, int | None]:
 def _of_file(path: Path) -> Belief:
     update = weights_file.load(path)
     model = load(Choices(network=NETWORK)).network.model
-    StateNeurons(model.network).check_weights(update.matrix)
+    StateNeurons(model.network).synapses(update.learned)
     return Belief(str(path), model, (Version(update),))
 
 

@@ -8,9 +8,6 @@ from pathlib import Path
 import sys
 from typing import TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_access import Key, key_file
 from srnn_bringup.config_files import ArmFile, FriFile, NetworkFile, TrackingFile
@@ -20,6 +17,7 @@ from srnn_config.scene import Scene, load_scene
 from srnn_planner.core import weights_file
 from srnn_planner.core.parameters import LearningParameters
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 STANDARD_SCENE = 'four_waypoints'
 NETWORK = 'network'
@@ -143,8 +141,8 @@ class Configuration(Parameters):
         """Rate of a constant learning signal; None for the signals that set their own."""
         return self.learning.rate if self.learning.signal in _CONSTANT_SIGNALS else None
 
-    def start_weights(self) -> NDArray[np.float32]:
-        """Return the weights (K, K) that learning starts from.
+    def start_weights(self) -> Synapses:
+        """Return the weights that learning starts from.
 
         Raises:
             SrnnError: the weight file cannot be read or does not fit the network.
@@ -152,8 +150,8 @@ class Configuration(Parameters):
         """
         neurons = StateNeurons(self.network.model.network)
         if self.initial_weights is None:
-            return neurons.prior_weights
-        return neurons.check_weights(weights_file.load(self.initial_weights).matrix)
+            return Synapses(neurons.prior)
+        return neurons.synapses(weights_file.load(self.initial_weights).learned)
 
     def key(self) -> Key | None:
         """Return the key that the nodes share, None if they have none.

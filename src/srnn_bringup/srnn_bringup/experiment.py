@@ -64,7 +64,7 @@ def base_setting(
         mount=configuration.arm.mount,
         arm=configuration.arm.arm,
         tracking=configuration.tracking.tracking,
-        weights=configuration.start_weights() if given else None,
+        weights=configuration.start_weights().learned if given else None,
     )
 
 

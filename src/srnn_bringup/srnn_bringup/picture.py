@@ -9,7 +9,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 import numpy as np
-from numpy.typing import NDArray
 
 from srnn_bringup.config import Configuration
 from srnn_bringup.plots.plane import (
@@ -24,6 +23,7 @@ from srnn_config.geometry import outline
 from srnn_config.scene import Scene
 from srnn_experiments.segment_record import SegmentRecord
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.synaptic_change import input_change, output_change
 
 SIZE = (12.0, 8.2)
@@ -46,15 +46,15 @@ class Story:
     Attributes:
         configuration: scene and network of the run.
         records: its segments.
-        weights_before: (K, K) weights at the start.
-        weights_after: (K, K) weights at the end.
+        weights_before: weights at the start.
+        weights_after: weights at the end.
 
     """
 
     configuration: Configuration
     records: Sequence[SegmentRecord]
-    weights_before: NDArray[np.float32]
-    weights_after: NDArray[np.float32]
+    weights_before: Synapses
+    weights_after: Synapses
 
     @property
     def scene(self) -> Scene:

@@ -11,8 +11,6 @@ import sys
 import tempfile
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from srnn_bringup.arms import ARMS
 from srnn_bringup.command_line import WRONG_USE
 from srnn_bringup.config import SIMULATED, Choices, load
@@ -22,7 +20,7 @@ from srnn_bringup.errors import Interrupted
 from srnn_bringup.graph import describe, write_parameters
 from srnn_bringup.options import add_network, add_seed
 from srnn_node.signals import StopRequest
-from srnn_planner.core import weights_file
+from srnn_planner.core import belief, weights_file
 from srnn_planner.core.dissonance import SIGNALS
 from srnn_replay.errors import ReplayError
 
@@ -99,8 +97,9 @@ def _learn(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
     print(f'as recorded: {_words(was)}')
     told = ', '.join(f'{name} = {value}' for name, value in changes.items())
     print(f'with {told}: {_words(would)}')
-    if was.change.any() and would.change.any():
-        alike = np.corrcoef(was.change.ravel(), would.change.ravel())[0, 1]
+    same_size = was.before.prior.grid.count == would.before.prior.grid.count
+    if was.updates and would.updates and same_size:
+        alike = belief.correlation((was.before, was.after), (would.before, would.after))
         print(f'the two changes of the weights correlate by {alike:.3f}')
     if save is not None:
         weights_file.save(save, would.weights)
@@ -113,7 +112,7 @@ def _words(learnt: 'Learnt') -> str:
     after = f' (after segments {numbers})' if numbers else ''
     return (
         f'{len(learnt.updates)} updates from {learnt.segments} segments{after}, '
-        f'weights changed by up to {np.abs(learnt.change).max():.3f}'
+        f'weights changed by up to {learnt.largest_change:.3f}'
     )
 
 

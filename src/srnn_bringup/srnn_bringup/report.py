@@ -11,6 +11,7 @@ from srnn_bringup.config import Configuration
 from srnn_bringup.recorder import Recorder
 from srnn_bringup.trial import Run, document
 from srnn_planner.core import weights_file
+from srnn_planner.core.synapses import Synapses
 
 
 @dataclass(frozen=True)
@@ -63,6 +64,7 @@ def _draw(configuration: Configuration, recorder: Recorder, run: Run, path: Path
     # Drawing needs a second to load, which nobody should wait for before the arm moves.
     from srnn_bringup.picture import Story, draw
 
-    before = configuration.start_weights()
-    after = before if recorder.last_weights is None else recorder.last_weights.matrix
+    before = after = configuration.start_weights()
+    if recorder.last_weights is not None:
+        after = Synapses.checked(before.prior, recorder.last_weights.learned)
     draw(Story(configuration, recorder.records[: run.limit], before, after), path)

@@ -6,11 +6,11 @@ from time import perf_counter
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from srnn_config.scene import Obstacle
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.segment import ExecutedPath, Segment
+from srnn_msgs_py.weights import LearnedWeights
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 from srnn_planner.core.planner import PlanRequest, SegmentPlanner
@@ -55,7 +55,7 @@ class NetworkAgent:
         brain: Brain,
         seed: int,
         known: tuple[Obstacle, ...] = (),
-        weights: NDArray[np.float32] | None = None,
+        weights: LearnedWeights | None = None,
     ) -> None:
         """Draw from the random numbers that planner and adapter of the live graph have.
 
@@ -63,7 +63,7 @@ class NetworkAgent:
             brain: parameters.
             seed: seed of the run.
             known: obstacles that the planner is told of.
-            weights: (K, K) to start from; None for the prior.
+            weights: what was learned before; None for nothing.
 
         """
         self.planner = SegmentPlanner(
@@ -86,7 +86,7 @@ class NetworkAgent:
         lesson = self.learner.learn(plan.positions, executed.positions)
         update_ms = 1e3 * (perf_counter() - began)
         if lesson.updated:
-            self.planner.use_weights(self.learner.weights)
+            self.planner.use_weights(self.learner.synapses.learned)
         return Dissonance(
             segment_stamp_ns=plan.stamp_ns,
             signal=self.learner.model.learning.signal,
@@ -94,6 +94,6 @@ class NetworkAgent:
             weights_version=self.learner.updates,
             peak=lesson.peak,
             global_alpha=lesson.squared_distance.astype(np.float32),
-            neuron_peak=lesson.rates.max(axis=0).astype(np.float32),
+            neuron_peak=lesson.neuron_peak.astype(np.float32),
             update_ms=update_ms,
         )

@@ -10,7 +10,7 @@ from srnn_experiments.setting import Setting
 from srnn_experiments.store import pack
 from srnn_experiments.trace import paths, trace
 from srnn_experiments.trial import Outcome
-from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.synaptic_change import input_change, output_change
 
 NOTHING: Set[str] = frozenset()
@@ -19,18 +19,17 @@ _DECIMALS = 8
 
 
 def _weights(_: Setting, outcome: Outcome) -> str | None:
-    return None if outcome.weights is None else pack(outcome.weights)
+    return None if outcome.synapses is None else pack(outcome.synapses.learned)
 
 
 def _change(setting: Setting, outcome: Outcome) -> dict[str, list[float]] | None:
-    if outcome.weights is None:
+    after = outcome.synapses
+    if after is None:
         return None
-    prior = setting.weights
-    if prior is None:
-        prior = StateNeurons(setting.brain.model.network).prior_weights
+    before = Synapses(after.prior, setting.weights)
     changes = {'input': input_change, 'output': output_change}
     return {
-        name: np.round(change(outcome.weights, prior), _DECIMALS).tolist()
+        name: np.round(change(after, before), _DECIMALS).tolist()
         for name, change in changes.items()
     }
 

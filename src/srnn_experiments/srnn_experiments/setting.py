@@ -6,13 +6,13 @@ import hashlib
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lwr_description import Mount
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_config.scene import Scene
 from srnn_experiments.agent import Brain
+from srnn_msgs_py.weights import LearnedWeights
 
 WORLDS = ('mujoco', 'point')
 AGENTS = ('network', 'oracle', 'grid')
@@ -32,7 +32,7 @@ class Setting:
         mount: where the arm stands and what it holds.
         arm: the simulated arm; of no meaning to a point.
         tracking: the tracker.
-        weights: (K, K) to start from; None for the prior.
+        weights: what was learned before; None for nothing.
 
     """
 
@@ -44,7 +44,7 @@ class Setting:
     mount: Mount = field(default_factory=Mount)
     arm: ArmParameters = field(default_factory=ArmParameters)
     tracking: TrackerParameters = field(default_factory=TrackerParameters)
-    weights: NDArray[np.float32] | None = None
+    weights: LearnedWeights | None = None
 
     def with_signal(self, signal: str, rate: float | None = None) -> 'Setting':
         """Return the setting with another learning signal."""

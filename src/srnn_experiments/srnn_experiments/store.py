@@ -9,9 +9,9 @@ from typing import Any
 import zlib
 
 import numpy as np
-from numpy.typing import NDArray
 
 from srnn_experiments.errors import StoreError
+from srnn_msgs_py.weights import LearnedWeights
 
 Key = tuple[str, int]
 """Digest of the setting, and seed."""
@@ -66,13 +66,22 @@ class TrialStore:
             path.write_text(whole + '\n' if whole else '', encoding='utf-8')
 
 
-def pack(weights: NDArray[np.float32]) -> str:
-    """Return weights (K, K) as text."""
-    return b64encode(zlib.compress(weights.astype('<f4').tobytes())).decode()
+def pack(weights: LearnedWeights) -> str:
+    """Return weights as text."""
+    parts = (
+        np.array([weights.neurons, weights.prior, len(weights.synapses)], dtype='<i8'),
+        weights.synapses.astype('<i8'),
+        weights.values.astype('<f4'),
+    )
+    return b64encode(zlib.compress(b''.join(part.tobytes() for part in parts))).decode()
 
 
-def unpack(text: str) -> NDArray[np.float32]:
-    """Return the weights (K, K) of a text from `pack`."""
-    flat = np.frombuffer(zlib.decompress(b64decode(text)), dtype='<f4').astype(np.float32)
-    side = round(len(flat) ** 0.5)
-    return flat.reshape(side, side)
+def unpack(text: str) -> LearnedWeights:
+    """Return the weights of a text from `pack`."""
+    content = zlib.decompress(b64decode(text))
+    neurons, prior, count = np.frombuffer(content, dtype='<i8', count=3).tolist()
+    synapses = np.frombuffer(content, dtype='<i8', count=count, offset=24)
+    values = np.frombuffer(content, dtype='<f4', offset=24 + 8 * count)
+    return LearnedWeights(
+        neurons, prior, synapses.astype(np.int64), values.astype(np.float32)
+    )

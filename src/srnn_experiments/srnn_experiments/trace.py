@@ -43,7 +43,7 @@ def trace(
         mismatch = experienced(model, neurons, record.plan.positions, record.executed.positions)
         local = local_signal(mismatch, model.learning.local_scale)
         global_peak.append(float(mismatch.squared_distance.max()))
-        local_peak.append(float(local.max()))
+        local_peak.append(float(local.max(initial=0.0)))
         signals += used_signals(mismatch, model.learning).tolist()
     return {
         'active': [record.before.active for record in records],
@@ -64,7 +64,7 @@ def used_signals(mismatch: Mismatch, learning: LearningParameters) -> NDArray[np
         return np.zeros(0)
     rates = learning_signal(learning).rates(mismatch)
     # The global signal is one number for all neurons.
-    used = rates[:, 0] if learning.signal == 'global' else rates
+    used = rates.max(axis=1, initial=0.0) if learning.signal == 'global' else rates
     return used[used > 0.0]
 
 

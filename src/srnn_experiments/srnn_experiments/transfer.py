@@ -4,13 +4,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from srnn_config.scene import Obstacle, Scene
 from srnn_experiments.campaign import Job
 from srnn_experiments.errors import SceneError
 from srnn_experiments.setting import Setting
+from srnn_msgs_py.weights import LearnedWeights
 
 MASS_SCALE, PAYLOAD = 1.2, 0.5
 """Links over their nominal mass, and what the tool weighs beyond it [kg], of the heavier arm."""
@@ -42,9 +40,9 @@ class Transfer:
         return [Job(self.source, seed, keep={'weights'}) for seed in seeds]
 
     def target_jobs(
-        self, seeds: Sequence[int], weights: Sequence[NDArray[np.float32]]
+        self, seeds: Sequence[int], weights: Sequence[LearnedWeights]
     ) -> list[Job]:
-        """Return the trials that start from the weights (K, K) of each seed."""
+        """Return the trials that start from the weights of each seed."""
         return [
             Job(replace(self.target, weights=learned), seed)
             for seed, learned in zip(seeds, weights, strict=True)

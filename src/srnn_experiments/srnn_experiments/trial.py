@@ -6,7 +6,6 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from srnn_experiments.agent import Agent, NetworkAgent
 from srnn_experiments.figures import run_figures
@@ -17,6 +16,7 @@ from srnn_experiments.point_world import PointWorld
 from srnn_experiments.segment_record import SegmentRecord
 from srnn_experiments.setting import Setting
 from srnn_experiments.world import World
+from srnn_planner.core.synapses import Synapses
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,14 +26,14 @@ class Outcome:
     Attributes:
         figures: plain data for JSON.
         records: its segments.
-        weights: (K, K) at its end; None for an agent without a network.
+        synapses: those at its end; None for an agent without a network.
         invalid_plans: how many there were until each segment was over.
 
     """
 
     figures: dict[str, Any]
     records: list[SegmentRecord]
-    weights: NDArray[np.float32] | None
+    synapses: Synapses | None
     invalid_plans: list[int]
 
 
@@ -60,8 +60,8 @@ def run_trial(setting: Setting, seed: int) -> Outcome:
         'simulated_s': world.time,
         'wall_s': perf_counter() - began,
     }
-    weights = agent.learner.weights if isinstance(agent, NetworkAgent) else None
-    return Outcome(figures, records, weights, invalid_plans)
+    synapses = agent.learner.synapses if isinstance(agent, NetworkAgent) else None
+    return Outcome(figures, records, synapses, invalid_plans)
 
 
 def make_run(setting: Setting, world: World, agent: Agent) -> LockStep:

@@ -63,7 +63,7 @@ TOPICS = (
     ),
     Topic(
         'weights', 'std_msgs/msg/Float32MultiArray', LATCHED, ('adapter',), ('planner',),
-        'recurrent weights with version and checksum', KEYED,
+        'recurrent weights that differ from the prior, with version and checksum', KEYED,
     ),
     Topic(
         'weights_refused', 'std_msgs/msg/Int64MultiArray', LATCHED, ('planner',), ('adapter',),

@@ -127,7 +127,7 @@ class AdapterReplay:
             weights_version=self._session.model.weights.version,
             peak=lesson.peak,
             global_alpha=lesson.squared_distance.astype(np.float32),
-            neuron_peak=lesson.rates.max(axis=0).astype(np.float32),
+            neuron_peak=lesson.neuron_peak.astype(np.float32),
             # How long it took then is no decision.
             update_ms=recorded.update_ms if isinstance(recorded, Dissonance) else 0.0,
         )
@@ -139,5 +139,6 @@ class AdapterReplay:
 
     def _share(self, stamp_ns: int) -> bool:
         session = self._session
-        update = WeightsUpdate(session.model.weights.version, stamp_ns, session.learner.weights)
+        learned = session.learner.synapses.learned
+        update = WeightsUpdate(session.model.weights.version, stamp_ns, learned)
         return self._shared.compare(self._convert(weights.to_msg(update)))

@@ -6,17 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from srnn_bag import open_bag
 from srnn_config import build, to_mapping
 from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import executed, segment
 from srnn_msgs_py.weights import WeightsUpdate
+from srnn_planner.core import belief
 from srnn_planner.core.errors import PairingError
 from srnn_planner.core.learning_session import LearningSession
 from srnn_planner.core.parameters import ModelParameters
+from srnn_planner.core.synapses import Synapses
 from srnn_replay.errors import NotReplayableError
 from srnn_replay.inputs import Inputs
 from srnn_replay.origin import RunOrigin
@@ -34,8 +33,9 @@ class Learnt:
         segments: number of segments that were learned from.
         updates: numbers of those that changed the weights, from 1.
         peaks: (updates,) largest learning rate of each of them.
-        weights: the weights at the end.
-        change: (K, K) how they differ from those at the beginning.
+        weights: the weights at the end, with their version.
+        before: the synapses at the beginning.
+        after: the synapses at the end.
 
     """
 
@@ -43,7 +43,13 @@ class Learnt:
     updates: tuple[int, ...]
     peaks: tuple[float, ...]
     weights: WeightsUpdate
-    change: NDArray[np.float32]
+    before: Synapses
+    after: Synapses
+
+    @property
+    def largest_change(self) -> float:
+        """By how much the weight has changed that has changed most."""
+        return abs(belief.change(self.before, self.after).largest)
 
 
 def learn_again(path: Path, changes: Mapping[str, Any], prefix: str | None = None) -> Learnt:
@@ -67,15 +73,17 @@ def learn_again(path: Path, changes: Mapping[str, Any], prefix: str | None = Non
     recording = Recording(bag, NODE, TOPICS, prefix or _only(bag.path, prefixes(bag)))
     session = LearningSession(model, told.seed, origin.start_weights())
     session.active = True
-    before = session.learner.weights.copy()
+    before = session.learner.synapses
     updates, peaks, segments = [], [], 0
     for learned in _lessons(recording, session):
         segments += 1
         if learned.updated:
             updates.append(segments)
             peaks.append(learned.peak)
-    after = session.model.weights
-    return Learnt(segments, tuple(updates), tuple(peaks), after, after.matrix - before)
+    return Learnt(
+        segments, tuple(updates), tuple(peaks), session.model.weights, before,
+        session.learner.synapses,
+    )  # fmt: skip
 
 
 def changed(model: ModelParameters, changes: Mapping[str, Any]) -> ModelParameters:

@@ -19,6 +19,7 @@ from srnn_bringup.plots.style import figure_file
 from srnn_bringup.report import Outputs, write_report
 from srnn_bringup.trial import Run, document
 from srnn_config.geometry import outline
+from srnn_msgs_py.weights import LearnedWeights
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synaptic_change import input_change, output_change
 from srnn_view.events import Grave
@@ -32,12 +33,12 @@ ANIMATION_HZ = 25.0
 
 @dataclass(frozen=True, eq=False)
 class Update:
-    """One update of the weights: the version that it led to, when [s], and both matrices."""
+    """One update of the weights: the version that it led to, when [s], and what is learned."""
 
     version: int
     time: float
-    before: NDArray[np.float32]
-    after: NDArray[np.float32]
+    before: LearnedWeights
+    after: LearnedWeights
 
 
 def run_page(run: BagRun) -> str:
@@ -140,18 +141,19 @@ def _pictures(run: BagRun, told: Run, folder: Path) -> Iterator[str]:
 
 def _updates(run: BagRun) -> Iterator[Update]:
     for (_, before), (time, after) in zip(run.versions, run.versions[1:], strict=False):
-        if (before.matrix != after.matrix).any():
-            yield Update(after.version, time, before.matrix, after.matrix)
+        if not before.learned.same_as(after.learned):
+            yield Update(after.version, time, before.learned, after.learned)
 
 
 def _map(run: BagRun, update: Update, folder: Path) -> str:
     file = folder / f'{update.version}.png'
     model = run.configuration.network.model
-    matrices = update.after, update.before
+    neurons = StateNeurons(model.network)
+    change = neurons.synapses(update.after), neurons.synapses(update.before)
     with figure_file(file, (3.6, 3.4), f'version {update.version}') as figure:
         axes = figure.add_subplot()
-        metres = model.workspace.to_metres(StateNeurons(model.network).positions)
-        draw_change(axes, metres, input_change(*matrices), output_change(*matrices))
+        metres = model.workspace.to_metres(neurons.positions)
+        draw_change(axes, metres, input_change(*change), output_change(*change))
         axes.set_aspect('equal')
         axes.set_xticks([])
         axes.set_yticks([])

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_msgs_py.weights import LearnedWeights
 from srnn_planner.core import generator_state, plasticity_kernel
 from srnn_planner.core.dissonance import Mismatch, experienced, learning_signal
 from srnn_planner.core.encoding import spike_probability
@@ -14,6 +15,7 @@ from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.plasticity import Experience
 from srnn_planner.core.random_words import seeds
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 FARTHEST = 10.0
 """No arm is farther out than this [units]; responsibilities are not numbers very far out."""
@@ -26,28 +28,36 @@ class Lesson:
     Attributes:
         updated: whether the weights have changed.
         squared_distance: (T,) global dissonance |kappa_m - kappa_e|^2 [units^2].
-        rates: (T, K) learning signal that was used.
+        neuron_peak: (K,) largest learning rate of each neuron, 0 for those that cannot spike.
 
     """
 
     updated: bool
     squared_distance: NDArray[np.float64]
-    rates: NDArray[np.float64]
+    neuron_peak: NDArray[np.float64]
 
     @property
     def peak(self) -> float:
         """Largest learning rate of the segment."""
-        return float(self.rates.max())
+        return float(self.neuron_peak.max())
 
 
 class Learner:
-    """Holds the weights and adapts them to the world, segment by segment."""
+    """Holds the weights and adapts them to the world, segment by segment.
+
+    Attributes:
+        model: network and learning.
+        neurons: the state neurons.
+        synapses: the weights between them.
+        updates: how often they were adapted.
+
+    """
 
     def __init__(self, model: ModelParameters, rng: np.random.Generator) -> None:
         """Start from the prior weights."""
         self.model = model
         self.neurons = StateNeurons(model.network)
-        self.weights: NDArray[np.float32] = self.neurons.prior_weights
+        self.synapses = Synapses(self.neurons.prior)
         self.updates = 0
         self._signal = learning_signal(model.learning)
         self._rng = rng
@@ -55,19 +65,18 @@ class Learner:
     def warm_up(self) -> None:
         """Compile every kernel, and work through one lesson that teaches nothing."""
         path = np.linspace(np.zeros(self.model.network.dimensions), 0.3, 64)
-        omega = self.neurons.responsibilities(path)
-        nothing = self._experience(Mismatch(np.zeros(len(path)), omega, omega), 0.0 * omega)
-        states = seeds(np.random.default_rng(0), self.model.learning.replays)
-        plasticity_kernel.replay(self.weights, nothing, states, self.model.network.tau)
+        mismatch = experienced(self.model, self.neurons, path, path)
+        nothing = self._experience(mismatch, 0.0 * mismatch.mental)
+        self._replay(nothing, seeds(np.random.default_rng(0), self.model.learning.replays))
 
-    def use_weights(self, weights: NDArray[np.float32]) -> None:
+    def use_weights(self, learned: LearnedWeights) -> None:
         """Go on from other weights, all or nothing.
 
         Raises:
             WeightsError: the weights do not fit; the old ones stay.
 
         """
-        self.weights = self.neurons.check_weights(weights)
+        self.synapses = self.neurons.synapses(learned)
 
     def random_state(self) -> NDArray[np.uint64]:
         """Return the state (6,) that the random numbers of the next lesson are drawn from."""
@@ -107,20 +116,30 @@ class Learner:
         rates = self._signal.rates(mismatch)
         updated = bool(rates.any())
         if updated:
-            states = seeds(self._rng, self.model.learning.replays)
-            self.weights = plasticity_kernel.replay(
-                self.weights, self._experience(mismatch, rates), states, self.model.network.tau
+            self.synapses = self._replay(
+                self._experience(mismatch, rates),
+                seeds(self._rng, self.model.learning.replays),
             )
             self.updates += 1
-        return Lesson(updated, mismatch.squared_distance, rates)
+        peak = np.zeros(len(self.neurons.positions))
+        peak[mismatch.neurons] = rates.max(axis=0)
+        return Lesson(updated, mismatch.squared_distance, peak)
+
+    def _replay(self, experience: Experience, states: NDArray[np.uint64]) -> Synapses:
+        """Return what the synapses are after as many replays as there are states."""
+        among = experience.neurons
+        weights = plasticity_kernel.replay(
+            self.synapses.among(among), experience, states, self.model.network.tau
+        )
+        return self.synapses.with_among(among, weights)
 
     def _experience(self, mismatch: Mismatch, rates: NDArray[np.float64]) -> Experience:
         learning = self.model.learning
         highest = np.maximum(mismatch.executed.max(axis=0), mismatch.mental.max(axis=0))
-        neurons = np.flatnonzero(spike_probability(highest, learning))
+        spiking = np.flatnonzero(spike_probability(highest, learning))
         return Experience(
-            neurons=neurons,
-            executed=spike_probability(mismatch.executed[:, neurons], learning),
-            mental=spike_probability(mismatch.mental[:, neurons], learning),
-            rates=np.ascontiguousarray(rates[:, neurons]),
+            neurons=mismatch.neurons[spiking],
+            executed=spike_probability(mismatch.executed[:, spiking], learning),
+            mental=spike_probability(mismatch.mental[:, spiking], learning),
+            rates=np.ascontiguousarray(rates[:, spiking]),
         )

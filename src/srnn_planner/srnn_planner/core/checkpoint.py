@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_planner.core import generator_state, weights_file
 from srnn_planner.core.archive import Archive
 from srnn_planner.core.errors import WeightsError
@@ -56,7 +56,8 @@ def save(path: Path, checkpoint: Checkpoint) -> None:
         'earlier': np.array([(w.version, w.segment_stamp_ns) for w in earlier], np.int64)
         .reshape(-1, 2),
         # One by one: a stack of all would have to be copied together first.
-        **{f'earlier_{n}': weights.matrix for n, weights in enumerate(earlier)},
+        **{f'earlier_{n}_synapses': w.learned.synapses for n, w in enumerate(earlier)},
+        **{f'earlier_{n}_values': w.learned.values for n, w in enumerate(earlier)},
     }  # fmt: skip
     weights_file.write(path, arrays, keep_previous=True)
 
@@ -71,7 +72,6 @@ def load(path: Path) -> Checkpoint:
     """
     archive = Archive(path)
     weights = weights_file.from_archive(archive, str(path))
-    shape = weights.matrix.shape
     history = archive.array('history', RECORD, None)
     identities = archive.array('earlier', np.int64, None, 2).tolist()
     if len(history) > LENGTH or len(identities) > KEPT:
@@ -85,11 +85,20 @@ def load(path: Path) -> Checkpoint:
     return Checkpoint(
         weights=weights,
         earlier=tuple(
-            WeightsUpdate(version, stamp, archive.array(f'earlier_{n}', np.float32, *shape))
+            WeightsUpdate(version, stamp, _earlier(archive, n, weights.learned))
             for n, (version, stamp) in enumerate(identities)
         ),
         updates=archive.whole('updates'),
         reverts=archive.whole('reverts'),
         generator=archive.array('generator', np.uint64, generator_state.LENGTH),
         history=history,
+    )
+
+
+def _earlier(archive: Archive, n: int, newest: LearnedWeights) -> LearnedWeights:
+    return LearnedWeights(
+        neurons=newest.neurons,
+        prior=newest.prior,
+        synapses=archive.array(f'earlier_{n}_synapses', np.int64, None),
+        values=archive.array(f'earlier_{n}_values', np.float32, None),
     )

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.encoding import spike_probability
+from srnn_planner.core.grid import Indices
 from srnn_planner.core.parameters import LearningParameters, ModelParameters
 from srnn_planner.core.state_neurons import StateNeurons
 
@@ -17,24 +19,31 @@ class Mismatch:
 
     Attributes:
         squared_distance: (T,) |kappa_m - kappa_e|^2 [units^2], eq. 5.
-        mental: (T, K) responsibilities of the plan.
-        executed: (T, K) responsibilities of the executed path.
+        neurons: (n,) those whose responsibilities count anywhere on the two paths.
+        mental: (T, n) their responsibilities for the plan.
+        executed: (T, n) their responsibilities for the executed path.
 
     """
 
     squared_distance: NDArray[np.float64]
+    neurons: Indices
     mental: NDArray[np.float64]
     executed: NDArray[np.float64]
 
 
 def compare(
-    neurons: StateNeurons, mental: NDArray[np.float64], executed: NDArray[np.float64]
+    neurons: StateNeurons,
+    mental: NDArray[np.float64],
+    executed: NDArray[np.float64],
+    among: Indices | None = None,
 ) -> Mismatch:
-    """Compare two paths (T, d) in units step by step."""
+    """Compare two paths (T, d) in units step by step, `among` some neurons or all."""
+    among = np.arange(len(neurons.positions)) if among is None else among
     return Mismatch(
         squared_distance=np.asarray(((mental - executed) ** 2).sum(axis=1)),
-        mental=neurons.responsibilities(mental),
-        executed=neurons.responsibilities(executed),
+        neurons=among,
+        mental=neurons.responsibilities(mental, among),
+        executed=neurons.responsibilities(executed, among),
     )
 
 
@@ -61,16 +70,21 @@ def experienced(
     mental: NDArray[np.float64],
     executed: NDArray[np.float64],
 ) -> Mismatch:
-    """Compare a plan with its execution, (T, d) [m], as the model learns from them."""
+    """Compare a plan with its execution, (T, d) [m], as the model learns from them.
+
+    Neurons that cannot spike learn nothing, and are left out.
+    """
     happened = model.workspace.to_units(executed)
     imagined = within_horizon(
         model.workspace.to_units(mental), happened, model.learning.horizon
     )
-    return compare(neurons, imagined, happened)
+    highest = neurons.highest_responsibilities(np.concatenate([imagined, happened]))
+    may_spike = np.flatnonzero(spike_probability(highest, model.learning))
+    return compare(neurons, imagined, happened, may_spike)
 
 
 def local_signal(mismatch: Mismatch, scale: float) -> NDArray[np.float64]:
-    """Return c (omega_m - omega_e)^2 (T, K), before threshold and limit (eq. 6)."""
+    """Return c (omega_m - omega_e)^2 (T, n), before threshold and limit (eq. 6)."""
     return np.asarray(scale * (mismatch.mental - mismatch.executed) ** 2)
 
 
@@ -83,7 +97,7 @@ class AbstractSignal(ABC):
 
     @abstractmethod
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
-        """Return alpha (T, K), zero where nothing is to be learned."""
+        """Return alpha (T, n), zero where nothing is to be learned."""
 
     def _global(self, mismatch: Mismatch) -> NDArray[np.float64]:
         return _above(mismatch.squared_distance, self._p.global_threshold, self._p.limit)
@@ -93,7 +107,7 @@ class NoSignal(AbstractSignal):
     """Never learns: the model without adaptation."""
 
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
-        """Return zeros (T, K)."""
+        """Return zeros (T, n)."""
         return np.zeros_like(mismatch.mental)
 
 
@@ -101,7 +115,7 @@ class GlobalSignal(AbstractSignal):
     """alpha_t = |kappa_m - kappa_e|^2, the same for all neurons (eq. 5)."""
 
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
-        """Return alpha (T, K) with equal columns."""
+        """Return alpha (T, n) with equal columns."""
         return _every_neuron(self._global(mismatch), mismatch)
 
 
@@ -109,7 +123,7 @@ class LocalSignal(AbstractSignal):
     """alpha_ti = c (omega_m - omega_e)^2, one for each neuron (eq. 6)."""
 
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
-        """Return alpha (T, K)."""
+        """Return alpha (T, n)."""
         signal = local_signal(mismatch, self._p.local_scale)
         return _above(signal, self._p.local_threshold, self._p.limit)
 
@@ -118,7 +132,7 @@ class ConstantSignal(AbstractSignal):
     """A constant rate wherever the global signal triggers."""
 
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
-        """Return alpha (T, K): the rate or zero."""
+        """Return alpha (T, n): the rate or zero."""
         alpha = np.where(self._global(mismatch) > 0.0, self._p.rate, 0.0)
         return _every_neuron(alpha, mismatch)
 
@@ -127,7 +141,7 @@ class UntriggeredSignal(AbstractSignal):
     """A constant rate in every step of every segment."""
 
     def rates(self, mismatch: Mismatch) -> NDArray[np.float64]:
-        """Return alpha (T, K), the rate everywhere."""
+        """Return alpha (T, n), the rate everywhere."""
         return np.full_like(mismatch.mental, self._p.rate)
 
 

@@ -8,6 +8,7 @@ from srnn_planner.core.adapter import Learner, Lesson
 from srnn_planner.core.checkpoint import Checkpoint
 from srnn_planner.core.history import Event, History
 from srnn_planner.core.lineage import Lineage
+from srnn_planner.core.synapses import Synapses
 
 
 class LearnedModel:
@@ -29,12 +30,12 @@ class LearnedModel:
 
         """
         self.learner = learner
-        self.weights = WeightsUpdate(0, 0, learner.weights)
+        self.weights = WeightsUpdate(0, 0, learner.synapses.learned)
         self.history = History()
         self.reverts = 0
-        self._lineage = Lineage(learner.neurons.prior_weights)
+        self._lineage = Lineage(learner.synapses.learned)
         if initial is not None:
-            learner.use_weights(initial.matrix)
+            learner.use_weights(initial.learned)
             self._take(max(1, initial.version), 0)
         self._initial = self.weights
 
@@ -64,13 +65,13 @@ class LearnedModel:
             WeightsError: they do not fit the network; nothing has changed.
 
         """
-        self.learner.use_weights(weights.matrix)
+        self.learner.use_weights(weights.learned)
         self._take(max(self.weights.version + 1, weights.version), 0)
         self.history.add(Event.LOAD, self.weights, weights.version, now_ns)
 
     def revert(self, now_ns: int) -> None:
         """Go back to where learning began."""
-        self.learner.use_weights(self._initial.matrix)
+        self.learner.use_weights(self._initial.learned)
         self._take(self.weights.version + 1, 0)
         self.history.add(Event.REVERT, self.weights, self._initial.version, now_ns)
 
@@ -85,8 +86,8 @@ class LearnedModel:
         if target is None:
             return None
         left = self.weights
-        self.learner.use_weights(target.matrix)
-        self.weights = WeightsUpdate(left.version + 1, 0, self.learner.weights)
+        self.learner.use_weights(target.learned)
+        self.weights = WeightsUpdate(left.version + 1, 0, target.learned)
         self.history.add(Event.REFUSED, self.weights, target.version, now_ns)
         self.reverts += 1
         return left
@@ -100,7 +101,7 @@ class LearnedModel:
         before = self.weights
         if not before.version < refusal.refused_version < MAX_VERSION:
             return False
-        self.weights = WeightsUpdate(refusal.refused_version + 1, 0, before.matrix)
+        self.weights = WeightsUpdate(refusal.refused_version + 1, 0, before.learned)
         self.history.add(Event.REFUSED, self.weights, before.version, now_ns)
         return True
 
@@ -122,18 +123,17 @@ class LearnedModel:
             WeightsError: it is of another network, or damaged; nothing has changed.
 
         """
-        prior = self.learner.neurons.prior_weights
         for weights in (value.weights, *value.earlier):
-            self.learner.neurons.check_weights(weights.matrix)
+            self.learner.neurons.synapses(weights.learned)
         self.learner.use_random_state(value.generator)
-        self.learner.use_weights(value.weights.matrix)
+        self.learner.use_weights(value.weights.learned)
         self.learner.updates, self.reverts = value.updates, value.reverts
         self.weights = value.weights
-        self._lineage = Lineage(prior, value.earlier)
+        self._lineage = Lineage(Synapses(self.learner.neurons.prior).learned, value.earlier)
         self.history = History(value.history)
         self.history.add(Event.RESTART, self.weights, self.weights.version, now_ns)
 
     def _take(self, version: int, stamp_ns: int) -> None:
         """Give the weights that the learner has now a version."""
         self._lineage.grow(self.weights)
-        self.weights = WeightsUpdate(version, stamp_ns, self.learner.weights)
+        self.weights = WeightsUpdate(version, stamp_ns, self.learner.synapses.learned)

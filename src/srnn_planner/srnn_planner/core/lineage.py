@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The versions that came before the weights in use, for when these turn out to be dead."""
 
-import numpy as np
-from numpy.typing import NDArray
-
 from srnn_msgs_py.refusal import WeightsRefusal
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 
 KEPT = 8
 """Earlier versions kept; before the oldest there is still the prior."""
@@ -20,10 +17,10 @@ class Lineage:
     """
 
     def __init__(
-        self, prior: NDArray[np.float32], earlier: tuple[WeightsUpdate, ...] = ()
+        self, nothing: LearnedWeights, earlier: tuple[WeightsUpdate, ...] = ()
     ) -> None:
-        """Begin with the prior (K, K) and what is known of the past."""
-        self._prior = WeightsUpdate(0, 0, prior)
+        """Begin with the prior, beside which nothing is learned, and what is known of the past."""
+        self._prior = WeightsUpdate(0, 0, nothing)
         self.earlier = earlier[-KEPT:]
 
     def grow(self, replaced: WeightsUpdate) -> None:
@@ -51,7 +48,7 @@ class Lineage:
             weights for weights in self.earlier
             if weights.version < refused and not 0 < good < weights.version
         ]  # fmt: skip
-        if not older and np.array_equal(in_use.matrix, self._prior.matrix):
+        if not older and in_use.learned.same_as(self._prior.learned):
             return None
         self.earlier = tuple(older[:-1])
         return older[-1] if older else self._prior

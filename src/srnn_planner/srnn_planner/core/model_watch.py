@@ -3,11 +3,8 @@
 
 from collections import deque
 
-import numpy as np
-from numpy.typing import NDArray
-
 from srnn_msgs_py.refusal import WeightsRefusal
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_planner.core.errors import WeightsError
 
 KEPT = 8
@@ -28,9 +25,12 @@ class ModelWatch:
 
     """
 
-    def __init__(self, prior: NDArray[np.float32], dead_after: int) -> None:
-        """Begin with the prior (K, K), version 0; so many invalid plans in a row are too many."""
-        self.in_use = self._newest = self._prior = WeightsUpdate(0, 0, prior)
+    def __init__(self, nothing: LearnedWeights, dead_after: int) -> None:
+        """Begin with the prior, version 0, beside which nothing is learned.
+
+        So many invalid plans in a row are too many.
+        """
+        self.in_use = self._newest = self._prior = WeightsUpdate(0, 0, nothing)
         self.refusals = 0
         self._dead_after = dead_after
         self._good: deque[WeightsUpdate] = deque(maxlen=KEPT)
@@ -73,7 +73,7 @@ class ModelWatch:
         if weights.version < newest.version:
             # Of an adapter that has forgotten: what was learned is not given up for it.
             raise WeightsError(f'{what}version {newest.version} is in use')
-        if not np.array_equal(weights.matrix, newest.matrix):
+        if not weights.learned.same_as(newest.learned):
             raise WeightsError(f'{what}the same version with other content is in use')
         if self.in_use is not newest:
             raise WeightsError(f'{what}no valid plan was found with it')
@@ -82,7 +82,7 @@ class ModelWatch:
         """Use weights that `check` lets pass."""
         if weights.version == self._newest.version:
             return
-        if np.array_equal(weights.matrix, self.in_use.matrix):
+        if weights.learned.same_as(self.in_use.learned):
             self._rename(weights)
         else:
             self._tries = 0

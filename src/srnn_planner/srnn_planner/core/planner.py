@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_config.scene import Obstacle
+from srnn_msgs_py.weights import LearnedWeights
 from srnn_planner.core.context import ContextPopulation, draw_centres, way_point_population
 from srnn_planner.core.decoding import decode, window
 from srnn_planner.core.encoding import draw_history, spike_probability
@@ -25,6 +26,7 @@ from srnn_planner.core.retreat import at_rest, back_off
 from srnn_planner.core.sampler import Sampler
 from srnn_planner.core.selection import Cost, select
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.trajectory import Motion, Trajectory, time_path
 from srnn_planner.core.ways import Ways
 
@@ -89,7 +91,13 @@ class Plan:
 
 
 class SegmentPlanner:
-    """Samples segments from the network; holds its weights between segments."""
+    """Samples segments from the network; holds its weights between segments.
+
+    Attributes:
+        neurons: the state neurons.
+        synapses: the weights between them.
+
+    """
 
     def __init__(
         self,
@@ -111,16 +119,14 @@ class SegmentPlanner:
         self.planning = planning
         self.neurons = StateNeurons(model.network)
         self._mean = GridMean(model.network)
-        self.weights: NDArray[np.float32] = self.neurons.prior_weights
+        self.synapses = Synapses(self.neurons.prior)
         self._rng = rng.spawn(1)[0]
         self._window = window(
             planning.sampling.steps, model.network.tau, planning.sampling.decode_sigma
         )
         positions = model.workspace.to_metres(self.neurons.positions)
         bias = obstacle_input(positions, known, planning.obstacles)
-        self._sampler = Sampler(
-            model.network, self.neurons.positions, bias, planning.context.amplitude
-        )
+        self._sampler = Sampler(self.neurons, bias, planning.context.amplitude)
         self._ways = Ways(self.neurons, bias)
         self._believe()
         self._fatigue = Fatigue(self.neurons)
@@ -135,14 +141,14 @@ class SegmentPlanner:
         self._fatigue = Fatigue(self.neurons)
         self._rng = kept
 
-    def use_weights(self, weights: NDArray[np.float32]) -> None:
+    def use_weights(self, learned: LearnedWeights) -> None:
         """Take new weights for the next segment, all or nothing.
 
         Raises:
             WeightsError: the weights do not fit; the old ones stay.
 
         """
-        self.weights = self.neurons.check_weights(weights)
+        self.synapses = self.neurons.synapses(learned)
         self._believe()
 
     def plan(self, request: PlanRequest) -> Plan:
@@ -184,9 +190,11 @@ class SegmentPlanner:
 
     def _believe(self) -> None:
         """Run with the weights, and find out what they say of where the arm can go."""
-        self._sampler.use_weights(self.weights)
-        self._blockage = self._ways.blockage.of(self.weights)
-        self._tolls = self._ways.tolls(self.weights, self.planning.context.aversion)
+        self._sampler.use_weights(self.synapses)
+        self._blockage = self._ways.blockage.of(self.synapses)
+        self._tolls = self._ways.tolls(
+            self.synapses, self._blockage, self.planning.context.aversion
+        )
 
     @property
     def _dimensions(self) -> int:

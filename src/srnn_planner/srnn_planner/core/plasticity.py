@@ -57,19 +57,16 @@ def replay(
     """Learn R encodings of one experience, one after another.
 
     Args:
-        weights: (K, K) recurrent weights w[pre, post]; not changed.
+        weights: (n, n) w[pre, post] between the neurons of the experience; not changed.
         experience: probabilities and rates of the segment.
         trains: R pairs of spike trains (T, n), of the executed and of the mental path.
         tau: refractory period and length of the postsynaptic potential [steps].
 
     Returns:
-        The new weights (K, K) (Tanneberg et al. 2019, "Using Mental Replay Strategies").
+        The new weights (n, n) (Tanneberg et al. 2019, "Using Mental Replay Strategies").
 
     """
-    among = np.ix_(experience.neurons, experience.neurons)
-    block = weights[among].astype(np.float64)
+    updated = weights.astype(np.float64)
     for executed, mental in trains:
-        block = contrast(block, executed, mental, experience.rates, tau)
-    updated = weights.copy()
-    updated[among] = block
-    return updated
+        updated = contrast(updated, executed, mental, experience.rates, tau)
+    return updated.astype(np.float32)

@@ -22,21 +22,18 @@ def replay(
     """Learn R encodings of one experience, one after another.
 
     Args:
-        weights: (K, K) recurrent weights w[pre, post]; not changed.
+        weights: (n, n) w[pre, post] between the neurons of the experience; not changed.
         experience: probabilities and rates of the segment.
         seeds: (R,) where the random numbers of each encoding begin, see `random_words`.
         tau: refractory period and length of the postsynaptic potential [steps].
 
     Returns:
-        The new weights (K, K), see `plasticity.replay`.
+        The new weights (n, n), see `plasticity.replay`.
 
     """
-    among = np.ix_(experience.neurons, experience.neurons)
-    incoming = np.ascontiguousarray(weights[among].T, dtype=np.float64)
+    incoming = np.ascontiguousarray(weights.T, dtype=np.float64)
     _replay(incoming, experience.executed, experience.mental, experience.rates, seeds, tau)
-    updated = weights.copy()
-    updated[among] = incoming.T
-    return updated
+    return np.ascontiguousarray(incoming.T, dtype=np.float32)
 
 
 @numba.njit(cache=True, error_model='numpy')

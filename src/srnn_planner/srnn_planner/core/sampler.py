@@ -6,9 +6,10 @@ from numpy.typing import NDArray
 
 from srnn_planner.core import sampling_kernel
 from srnn_planner.core.context import ContextPopulation
-from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.sampling_kernel import Law
-from srnn_planner.core.synapse_spans import SynapseSpans, synapse_spans
+from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapse_spans import SpanMaker, SynapseSpans
+from srnn_planner.core.synapses import Synapses
 
 
 class Sampler:
@@ -22,21 +23,20 @@ class Sampler:
 
     def __init__(
         self,
-        network: NetworkParameters,
-        positions: NDArray[np.float64],
+        neurons: StateNeurons,
         bias: NDArray[np.float64],
         context_max: float,
     ) -> None:
         """Take what stays the same.
 
         Args:
-            network: the network's parameters.
-            positions: (K, d) preferred positions of the state neurons.
+            neurons: the state neurons.
             bias: (K,) input of context neurons that spike all the time, at most 0.
             context_max: largest input that all other context neurons give together.
 
         """
-        rare = 0.5 ** np.ceil(np.log2(2.0 * len(positions)))
+        network = neurons.parameters
+        rare = 0.5 ** np.ceil(np.log2(2.0 * len(bias)))
         self.law = Law(
             tau=network.tau,
             slope=network.slope,
@@ -47,16 +47,16 @@ class Sampler:
             rare=rare,
             seldom=(network.threshold + np.log(rare)) / network.slope,
         )
-        self._offset = network.weight_offset
-        self._positions = positions
+        self._positions = neurons.positions
         self._bias = bias
-        self._others = float(np.abs(bias).max()) + context_max + abs(self.law.seldom)
+        others = float(np.abs(bias).max()) + context_max + abs(self.law.seldom)
+        self._spans = SpanMaker(neurons.prior, others)
         self.synapses: SynapseSpans
         self._whole_bias: NDArray[np.int32]
 
-    def use_weights(self, weights: NDArray[np.float32]) -> None:
-        """Run the network with weights (K, K) from now on."""
-        self.synapses = synapse_spans(weights, self._offset, self._others)
+    def use_weights(self, synapses: Synapses) -> None:
+        """Run the network with other weights from now on."""
+        self.synapses = self._spans.of(synapses)
         self._whole_bias = _whole(self._bias * self.synapses.scale)
 
     def sample(

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from srnn_planner.core.context import ContextPopulation
 from srnn_planner.core.decoding import spike_activity
 from srnn_planner.core.parameters import NetworkParameters
+from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,18 +87,18 @@ class PlainSampler:
 
     def __init__(
         self,
-        network: NetworkParameters,
-        positions: NDArray[np.float64],
+        neurons: StateNeurons,
         bias: NDArray[np.float64],
         context_max: float,
     ) -> None:
         """See `Sampler`."""
-        self._network, self._positions, self._bias = network, positions, bias
+        self._network, self._positions = neurons.parameters, neurons.positions
+        self._bias = bias
         self._weights: NDArray[np.float32]
 
-    def use_weights(self, weights: NDArray[np.float32]) -> None:
+    def use_weights(self, synapses: Synapses) -> None:
         """See `Sampler`."""
-        self._weights = weights
+        self._weights = synapses.dense()
 
     def sample(
         self,

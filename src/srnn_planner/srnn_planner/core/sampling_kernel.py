@@ -260,24 +260,27 @@ def _probability(law, slope, potential, since):
 @numba.njit(cache=True, error_model='numpy')
 def _reached(synapses, k, reach):
     """Widen a range of neurons by those that neuron k reaches."""
-    begin, after = synapses.first[k], synapses.first[k + 1]
+    pattern = synapses.pattern[k]
+    begin, after = synapses.first[pattern], synapses.first[pattern + 1]
     if begin == after:
         return reach
-    end = synapses.start[after - 1] + synapses.values.shape[1]
-    return min(reach[0], synapses.start[begin]), max(reach[1], end)
+    end = k + synapses.start[after - 1] + synapses.values.shape[1]
+    return min(reach[0], k + synapses.start[begin]), max(reach[1], end)
 
 
 @numba.njit(cache=True, error_model='numpy')
 def _add(synapses, k, u):
-    for n in range(synapses.first[k], synapses.first[k + 1]):
-        low, span = np.uint64(synapses.start[n]), synapses.values[n]
+    pattern = synapses.pattern[k]
+    for n in range(synapses.first[pattern], synapses.first[pattern + 1]):
+        low, span = np.uint64(k + synapses.start[n]), synapses.values[n]
         for i in range(np.uint64(len(span))):
             u[low + np.uint64(i)] += span[np.uint64(i)]
 
 
 @numba.njit(cache=True, error_model='numpy')
 def _take(synapses, k, u):
-    for n in range(synapses.first[k], synapses.first[k + 1]):
-        low, span = np.uint64(synapses.start[n]), synapses.values[n]
+    pattern = synapses.pattern[k]
+    for n in range(synapses.first[pattern], synapses.first[pattern + 1]):
+        low, span = np.uint64(k + synapses.start[n]), synapses.values[n]
         for i in range(np.uint64(len(span))):
             u[low + np.uint64(i)] -= span[np.uint64(i)]

@@ -8,13 +8,15 @@ import numpy as np
 
 
 @numba.njit(cache=True)
-def distances(first, pre, cost, start):
+def distances(first, pre, length, tolls, fatigue, start):
     """Return the length of the shortest way from every node, by Dijkstra's algorithm.
 
     Args:
         first: (K + 1,) the edges into node i are first[i] ... first[i + 1] - 1.
         pre: (E,) node in which each edge begins.
-        cost: (E,) its length, at least 0.
+        length: (E,) of each edge, at least 0.
+        tolls: (E,) how often it counts, at least 0.
+        fatigue: (K,) edges from each node count as much more often.
         start: (K,) length that remains at each node where ways may end, elsewhere infinite.
 
     Returns:
@@ -32,8 +34,8 @@ def distances(first, pre, cost, start):
         if d > distance[i]:
             continue
         for e in range(first[i], first[i + 1]):
-            k = pre[e]
-            total = d + cost[e]
+            k = np.int64(pre[e])
+            total = d + length[e] * (tolls[e] + fatigue[k])
             if total < distance[k]:
                 distance[k] = total
                 heapq.heappush(queue, (total, k))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""State neurons on a grid, their Gaussian basis and the prior weights between them."""
+"""State neurons on a grid, their Gaussian basis and the synapses between them."""
 
 from functools import cached_property
 import itertools
@@ -7,8 +7,11 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.errors import WeightsError
+from srnn_msgs_py.weights import LearnedWeights
+from srnn_planner.core.grid import Indices
 from srnn_planner.core.parameters import NetworkParameters
+from srnn_planner.core.prior import PriorWeights
+from srnn_planner.core.synapses import Synapses
 
 
 class StateNeurons:
@@ -39,16 +42,35 @@ class StateNeurons:
             np.exp(-0.5 * _squared_distances(points, self.positions) / self.parameters.sigma**2)
         )
 
-    def responsibilities(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def responsibilities(
+        self, points: NDArray[np.float64], among: Indices | None = None
+    ) -> NDArray[np.float64]:
         """Return omega (n, K): the basis at points (n, d), normalised over the neurons.
 
         The basis is a product over the dimensions, and so are the responsibilities: n d M
         exponentials are taken for M neurons per dimension, not n K.
+
+        Args:
+            points: in units.
+            among: (m,) return those of these neurons only, as (n, m).
+
         """
-        omega, *others = (self._responsibilities_along(x) for x in points.T)
+        shares = [self._responsibilities_along(x) for x in points.T]
+        if among is not None:
+            axes = self.prior.grid.coordinates[among].T
+            named = [share[:, axis] for share, axis in zip(shares, axes, strict=True)]
+            return np.asarray(np.prod(named, axis=0))
+        omega, *others = shares
         for share in others:
             omega = (omega[:, :, None] * share[:, None, :]).reshape(len(points), -1)
         return omega
+
+    def highest_responsibilities(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return (K,) what the responsibility of each neuron for points (n, d) is at most."""
+        highest, *others = (self._responsibilities_along(x).max(axis=0) for x in points.T)
+        for share in others:
+            highest = np.outer(highest, share).ravel()
+        return np.asarray(highest)
 
     def interpolate(
         self, values: NDArray[np.float64], points: NDArray[np.float64]
@@ -68,33 +90,25 @@ class StateNeurons:
         return _normalised(-0.5 * distance**2)
 
     @cached_property
-    def prior_weights(self) -> NDArray[np.float32]:
-        """Initial weights (K, K), read-only: near neurons excite, distant ones inhibit.
+    def prior(self) -> PriorWeights:
+        """The weights that learning starts from."""
+        return PriorWeights(self.parameters)
 
-        w = clip(gain * exp(-d^2 / 2 sigma^2) - offset, -1, 1), a uniform prior over
-        directions (Tanneberg et al. 2019, "Online Adaptation of the Recurrent Layer").
-        """
-        p = self.parameters
-        gaussian = p.weight_gain * self.basis(self.positions)
-        weights = np.clip(gaussian - p.weight_offset, -1.0, 1.0).astype(np.float32)
+    @cached_property
+    def prior_weights(self) -> NDArray[np.float32]:
+        """All weights of the prior (K, K), read-only: for small networks."""
+        weights = self.prior.dense()
         weights.flags.writeable = False
         return weights
 
-    def check_weights(self, weights: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Return weights fit for this network, or refuse them.
+    def synapses(self, learned: LearnedWeights) -> Synapses:
+        """Return the synapses of this network that have learned weights, or refuse these.
 
         Raises:
-            WeightsError: wrong shape, a value that is not finite or outside [-1, 1].
+            WeightsError: they are of another network, or no weights at all.
 
         """
-        count = len(self.positions)
-        if weights.shape != (count, count):
-            raise WeightsError(f'weights have shape {weights.shape}: must be ({count}, {count})')
-        if not np.isfinite(weights).all():
-            raise WeightsError('weights hold values that are not finite')
-        if np.abs(weights).max() > 1.0:
-            raise WeightsError(f'weights reach {np.abs(weights).max():g}: must lie in [-1, 1]')
-        return np.ascontiguousarray(weights, dtype=np.float32)
+        return Synapses.checked(self.prior, learned)
 
 
 def _normalised(exponent: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -22,7 +22,7 @@ class WatchedPlanner:
     def __init__(self, planner: SegmentPlanner, dead_after: int) -> None:
         """Watch over a planner; so many invalid plans in a row are too many."""
         self.planner = planner
-        self.watch = ModelWatch(planner.weights, dead_after)
+        self.watch = ModelWatch(planner.synapses.learned, dead_after)
         self.refusal: WeightsRefusal | None = None
         self.last: Plan | None = None
 
@@ -35,7 +35,7 @@ class WatchedPlanner:
 
         """
         self.watch.check(weights)
-        self.planner.use_weights(weights.matrix)
+        self.planner.use_weights(weights.learned)
         self.watch.take(weights)
 
     def plan(self, request: PlanRequest) -> Trajectory | None:
@@ -45,5 +45,5 @@ class WatchedPlanner:
         if trajectory is not None:
             self.refusal = self.watch.planned() or self.refusal
         elif self.watch.failed():
-            self.planner.use_weights(self.watch.in_use.matrix)
+            self.planner.use_weights(self.watch.in_use.learned)
         return trajectory

@@ -5,8 +5,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_planner.core.blockage import Blockage
+from srnn_planner.core.neighbourhood import Neighbourhood
 from srnn_planner.core.shortest_way import distances
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 
 class Ways:
@@ -28,29 +30,32 @@ class Ways:
             inhibition: (K,) input that known obstacles give to each neuron, at most 0.
 
         """
-        self._neurons = neurons
+        self._positions = neurons.positions
         self._inhibition = inhibition
-        self.blockage = Blockage(neurons, inhibition)
-        self._post, self._pre = np.nonzero(self.blockage.neighbours.T)
-        self._first = np.searchsorted(self._post, np.arange(len(inhibition) + 1))
-        step = neurons.positions[self._pre] - neurons.positions[self._post]
-        self._length = np.linalg.norm(step, axis=1)
+        self._steps = Neighbourhood(neurons)
+        self.blockage = Blockage(self._steps, inhibition)
+        self._post = np.repeat(np.arange(len(inhibition)), self._steps.count)
         spacing = 2.0 / (neurons.parameters.neurons_per_dimension - 1)
         self._reach = 1.5 * spacing
+        self._untaxed = np.ones(len(self._post))
         self._rested = b'', np.zeros(0)
 
-    def tolls(self, weights: NDArray[np.float32], aversion: float) -> NDArray[np.float64]:
+    def tolls(
+        self, synapses: Synapses, blockage: NDArray[np.float64], aversion: float
+    ) -> NDArray[np.float64]:
         """Return how many steps each step counts as (E,), by what its synapses have lost.
 
         Args:
-            weights: (K, K) recurrent weights w[pre, post].
+            synapses: the recurrent weights.
+            blockage: (K,) of these, see `Blockage.of`.
             aversion: a step whose synapse has lost 1 counts as 1 + aversion steps.
 
         """
-        change = self._neurons.prior_weights - weights - self._inhibition
-        around = self.blockage.around(self.blockage.of(weights))
-        lost = np.clip(change[self._pre, self._post], 0.0, 2.0) + around[self._post]
-        return np.asarray(1.0 + aversion * lost)
+        lost = -self._inhibition[self._post]
+        edge = self._steps.edges(synapses.pre, synapses.post)
+        lost[edge[edge >= 0]] -= synapses.change[edge >= 0]
+        around = self.blockage.around(blockage)
+        return np.asarray(1.0 + aversion * (np.clip(lost, 0.0, 2.0) + around[self._post]))
 
     def remaining(
         self,
@@ -69,7 +74,7 @@ class Ways:
             (K,) [units].
 
         """
-        return self._distances(self._length * (tolls + fatigue[self._pre]), target)
+        return self._distances(tolls, target, fatigue)
 
     def detour(
         self, remaining: NDArray[np.float64], target: NDArray[np.float64]
@@ -81,12 +86,19 @@ class Ways:
         """
         key = target.tobytes()
         if self._rested[0] != key:
-            self._rested = key, self._distances(self._length, target)
+            rested = np.zeros(len(self._positions))
+            self._rested = key, self._distances(self._untaxed, target, rested)
         return np.asarray(np.maximum(remaining - self._rested[1], 0.0))
 
     def _distances(
-        self, cost: NDArray[np.float64], target: NDArray[np.float64]
+        self,
+        tolls: NDArray[np.float64],
+        target: NDArray[np.float64],
+        fatigue: NDArray[np.float64],
     ) -> NDArray[np.float64]:
-        away = np.linalg.norm(self._neurons.positions - target, axis=1)
+        away = np.linalg.norm(self._positions - target, axis=1)
         start = np.where(away <= max(self._reach, float(away.min())), away, np.inf)
-        return np.asarray(distances(self._first, self._pre, cost, start))
+        steps = self._steps
+        return np.asarray(
+            distances(steps.first, steps.pre, steps.length, tolls, fatigue, start)
+        )

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from srnn_msgs_py.weights import MAX_VERSION, WeightsUpdate
+from srnn_msgs_py.weights import MAX_VERSION, LearnedWeights, WeightsUpdate
 from srnn_planner.core import durable_file
 from srnn_planner.core.archive import Archive, pack
 from srnn_planner.core.errors import WeightsError, WeightsFileError
@@ -18,7 +18,7 @@ LATEST = MAX_VERSION // 2
 def save(path: str | Path, weights: WeightsUpdate) -> None:
     """Write weights so that a crash leaves either the old file or the new one.
 
-    The file is a NumPy archive with version, segment stamp, matrix and checksum.
+    The file is a NumPy archive with version, segment stamp, what was learned, and a checksum.
 
     Raises:
         WeightsFileError: the place cannot be written.
@@ -45,7 +45,7 @@ def load(path: str | Path) -> WeightsUpdate:
 
     Raises:
         WeightsFileError: missing, no regular file, too large or no weight file.
-        WeightsError: not square, or the checksum does not fit the data.
+        WeightsError: no weights, or the checksum does not fit the data.
 
     """
     return from_archive(Archive(path), str(path))
@@ -56,7 +56,10 @@ def to_arrays(weights: WeightsUpdate) -> dict[str, Any]:
     return {
         'version': np.int64(weights.version),
         'segment_stamp_ns': np.int64(weights.segment_stamp_ns),
-        'matrix': weights.matrix,
+        'neurons': np.int64(weights.learned.neurons),
+        'prior': np.int64(weights.learned.prior),
+        'synapses': weights.learned.synapses,
+        'values': weights.learned.values,
         'checksum': np.uint32(weights.checksum()),
     }
 
@@ -66,12 +69,18 @@ def from_archive(archive: Archive, where: str) -> WeightsUpdate:
     weights = WeightsUpdate(
         version=archive.whole('version'),
         segment_stamp_ns=archive.whole('segment_stamp_ns'),
-        matrix=archive.array('matrix', np.float32, None, None),
+        learned=LearnedWeights(
+            neurons=archive.whole('neurons'),
+            prior=archive.whole('prior'),
+            synapses=archive.array('synapses', np.int64, None),
+            values=archive.array('values', np.float32, None),
+        ),
     )
     if weights.version > LATEST:
         raise WeightsError(f'{where}: version {weights.version}: must be <= {LATEST}')
-    if weights.matrix.shape[0] != weights.matrix.shape[1]:
-        raise WeightsError(f'{where}: weights of shape {weights.matrix.shape}: must be square')
+    objection = weights.learned.objection()
+    if objection:
+        raise WeightsError(f'{where}: {objection}')
     expected = int(archive.array('checksum', np.uint32))
     if weights.checksum() != expected:
         raise WeightsError(f'{where}: checksum {expected:#010x} does not fit the data')

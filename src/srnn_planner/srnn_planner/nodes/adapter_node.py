@@ -35,6 +35,7 @@ from srnn_planner.core.errors import PairingError, SrnnError
 from srnn_planner.core.learning_session import Learned, LearningSession
 from srnn_planner.core.parameters import ModelParameters
 from srnn_planner.core.statistics import Durations
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.synaptic_change import input_change
 
 V = TypeVar('V')
@@ -170,7 +171,7 @@ class AdapterNode(WorkspaceNode):
             weights_version=self._model.weights.version,
             peak=lesson.peak,
             global_alpha=lesson.squared_distance.astype(np.float32),
-            neuron_peak=lesson.rates.max(axis=0).astype(np.float32),
+            neuron_peak=lesson.neuron_peak.astype(np.float32),
             update_ms=1e3 * seconds,
         )
         self._dissonance.publish(dissonance.to_msg(value))
@@ -191,11 +192,12 @@ class AdapterNode(WorkspaceNode):
         self._share(stamp_ns)
 
     def _share(self, stamp_ns: int) -> None:
-        update = WeightsUpdate(self._model.weights.version, stamp_ns, self._learner.weights)
+        synapses = self._learner.synapses
+        update = WeightsUpdate(self._model.weights.version, stamp_ns, synapses.learned)
         self._weights.publish(weights.to_msg(update))
         network = self._settings.model.network
         if network.dimensions == 2:
-            change = input_change(self._learner.weights, self._learner.neurons.prior_weights)
+            change = input_change(synapses, Synapses(synapses.prior))
             side = network.neurons_per_dimension
             inhibition = np.maximum(-change, 0.0).reshape(side, side)
             extent = self._settings.model.workspace.half_extent
