@@ -136,7 +136,7 @@ def test_weights_that_were_left_are_kept_and_told_of(start, tmp_path):
     adapter = start()
     touch(adapter, 1)
     touch(adapter, 2)
-    dead = adapter._learner.weights
+    dead = adapter._learner.synapses.learned
     adapter._on_refused(WeightsRefusal(2, 1, 'no plan'))
     health = adapter.health()
     assert health.level is HealthLevel.WARN
@@ -144,7 +144,7 @@ def test_weights_that_were_left_are_kept_and_told_of(start, tmp_path):
         'left weights version 2 for earlier ones, now version 3: no plan'
     )
     assert health.values['reverts'] == 1
-    assert np.array_equal(weights_file.load(tmp_path / 'c.refused').matrix, dead)
+    assert weights_file.load(tmp_path / 'c.refused').learned.same_as(dead)
     touch(adapter, 3)
     assert adapter.health().level is HealthLevel.OK
 

@@ -2,6 +2,7 @@
 """The running graph: it is what the README says, and it survives the loss of its planner."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 import time
 
@@ -145,20 +146,23 @@ def test_dead_weights_are_left_reported_and_outlived(watched):
     ])
     planner, adapter = health['/planner'], health['/adapter']
     watched.until(lambda: heard and planner and adapter)
-    good = heard[-1].matrix
+    good = heard[-1].learned
     row = topic('weights')
     publisher = watched.graph.node.create_publisher(
         message_type(row.type_name), row.name, profile(row.qos)
     )
     watched.until(publisher.get_subscription_count)
-    dead = WeightsUpdate(100, 0, np.full_like(good, -1.0))
+    everywhere = np.full(good.neurons**2, -1.0, np.float32)
+    dead = WeightsUpdate(
+        100, 0, replace(good, synapses=np.arange(good.neurons**2), values=everywhere)
+    )
     publisher.publish(weights.to_msg(dead))
     watched.until(lambda: any(h.level is HealthLevel.ERROR for h in planner))
     assert next(h for h in planner if h.level is HealthLevel.ERROR).message == (
         'no valid plan in 10 tries with weights version 100: trying older ones'
     )
     watched.until(lambda: heard[-1].version == 101)
-    np.testing.assert_array_equal(heard[-1].matrix, good)
+    assert heard[-1].learned.same_as(good)
     before = len(watched.done())
     watched.until(lambda: len(watched.done()) >= before + 2)
     watched.until(lambda: planner[-1].level is not HealthLevel.ERROR)

@@ -26,6 +26,9 @@ from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import topic
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node.signals import StopRequest
+from srnn_planner.core.parameters import NetworkParameters
+from srnn_planner.core.prior import PriorWeights
+from srnn_planner.core.synapses import Synapses
 
 COMMANDS = 'forward_position_controller/commands'
 
@@ -138,7 +141,8 @@ def test_a_stranger_beside_the_running_graph_changes_nothing(keyed):
     publishers = {name: keyed.publisher(name) for name in ('segment', 'weights', COMMANDS)}
     keyed.until(lambda: all(p.get_subscription_count() > 0 for p in publishers.values()))
     recording = list(keyed.segments)
-    ones = np.full((225, 225), 1.0, dtype=np.float32)
+    prior = PriorWeights(NetworkParameters())
+    ones = Synapses.of(prior, np.full((225, 225), 1.0, dtype=np.float32)).learned
     home = np.zeros(7)
     before, started = len(keyed.done()), time.monotonic()
     while time.monotonic() - started < 3.0:

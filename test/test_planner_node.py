@@ -16,6 +16,7 @@ from srnn_msgs_py.tip import TipPosition
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node import garbage
 from srnn_planner.core.sequencer import RETRY
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.nodes import planner_node
 from srnn_planner.nodes.planner_node import PlannerNode
 
@@ -62,7 +63,8 @@ def test_dead_weights_are_told_of_at_once_to_the_adapter_and_once_to_people(
         planner.on_tick()
         return planner.health().level
 
-    dead = np.full_like(planner._session.planner.weights, -1.0)
+    synapses = planner._session.planner.synapses
+    dead = Synapses.of(synapses.prior, np.full_like(synapses.dense(), -1.0)).learned
     planner._on_weights(WeightsUpdate(7, 0, dead))
     levels = [tick() for _ in range(TRIES)]
     assert levels == [HealthLevel.WARN] * (TRIES - 1) + [HealthLevel.ERROR]
@@ -77,7 +79,7 @@ def test_dead_weights_are_told_of_at_once_to_the_adapter_and_once_to_people(
     ]
     planner._on_weights(WeightsUpdate(7, 0, dead))
     assert planner.refused_messages == 1
-    planner._on_weights(WeightsUpdate(8, 0, planner._session.planner.weights))
+    planner._on_weights(WeightsUpdate(8, 0, planner._session.planner.synapses.learned))
     assert planner.health().level is HealthLevel.WARN
     assert planner.health().values['weights_version'] == 8
     assert len(told) == 1

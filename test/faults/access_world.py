@@ -28,6 +28,7 @@ from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import topic
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_node.outlet import Outlet
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.nodes.planner_node import PlannerNode
 
 PATIENCE_S = 20.0
@@ -216,9 +217,11 @@ class World:
             now = self.tracker.get_clock().now().nanoseconds
             return segment.to_msg(line(START, END, 0.1, stamp_ns=now))
         if name == 'weights':
-            ones = np.full((49, 49), 0.5, dtype=np.float32)
+            planner = self.planner._session.planner
+            halves = np.full((49, 49), 0.5, dtype=np.float32)
+            learned = Synapses.of(planner.neurons.prior, halves).learned
             version = self.planner._watched.watch.in_use.version + 1
-            return weights.to_msg(WeightsUpdate(version, 1, ones))
+            return weights.to_msg(WeightsUpdate(version, 1, learned))
         if name == 'joint_states':
             sample = replace(self.tracker._sample, position=angles)
             return joints.to_msgs(sample, JOINT_NAMES)[0]

@@ -10,22 +10,25 @@ import time
 import numpy as np
 import pytest
 
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.checkpoint_keeper import CheckpointKeeper
 from srnn_planner.core.learned_model import LearnedModel
 from srnn_planner.core.lineage import KEPT
 from srnn_planner.core.parameters import ModelParameters, NetworkParameters
+from srnn_planner.core.prior import PriorWeights
 
 MODEL = ModelParameters(network=NetworkParameters(neurons_per_dimension=12))
 COUNT = MODEL.network.neurons
+PRIOR = PriorWeights(MODEL.network).checksum
 KILLS_PER_REPEAT = 10
 PATIENCE_S = 30.0
 LONGEST_LIFE_S = 0.05
 
 
-def content(version: int) -> np.ndarray:
-    return np.full((COUNT, COUNT), (version % 1000) / 1000.0, np.float32)
+def content(version: int) -> LearnedWeights:
+    values = np.full(COUNT**2, (version % 1000) / 1000.0, np.float32)
+    return LearnedWeights(COUNT, PRIOR, np.arange(COUNT**2), values)
 
 
 def restored(place: Path) -> tuple[LearnedModel, CheckpointKeeper]:
@@ -85,11 +88,11 @@ def test_no_acknowledged_update_is_lost_by_a_kill(ledger, rng, tmp_path):
             # What was saved but not yet told may be there too, no more.
             assert versions[-1] < last <= model.weights.version <= last + 1
             version = model.weights.version
-            assert np.array_equal(model.weights.matrix, content(version))
+            assert model.weights.learned.same_as(content(version))
             earlier = model.checkpoint().earlier
             assert [w.version for w in earlier] == list(range(max(0, version - KEPT), version))
             for weights in earlier[1:]:
-                assert np.array_equal(weights.matrix, content(weights.version))
+                assert weights.learned.same_as(content(weights.version))
             left = {name.name for name in tmp_path.iterdir()}
             assert left <= {'checkpoint.npz', 'checkpoint.npz.previous'}
             versions.append(version)

@@ -4,6 +4,7 @@
 from array import array
 from collections.abc import Callable
 import copy
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -13,13 +14,15 @@ from std_msgs.msg import Float32MultiArray
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.ros import refusal as refusal_messages
 from srnn_msgs_py.ros import weights as weight_messages
-from srnn_msgs_py.weights import WeightsUpdate, checksum
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.errors import SrnnError
 from srnn_planner.core.learned_model import LearnedModel
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 from srnn_planner.core.planner import PlanRequest, SegmentPlanner
+from srnn_planner.core.prior import PriorWeights
 from srnn_planner.core.retreat import at_rest
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.watched_planner import WatchedPlanner
 
 MODEL = ModelParameters()
@@ -56,8 +59,10 @@ class Victim:
 
 
 def update(version: int, strength: float = 1.0) -> WeightsUpdate:
-    prior = Victim().watched.planner.weights
-    return WeightsUpdate(version, 1_000 * version, (prior * np.float32(strength)))
+    prior = PriorWeights(MODEL.network)
+    weights = prior.dense()
+    weights[weights > 0.0] *= np.float32(strength)
+    return WeightsUpdate(version, 1_000 * version, Synapses.of(prior, weights).learned)
 
 
 @pytest.fixture(scope='module')
@@ -82,10 +87,14 @@ def label(msg: Float32MultiArray, name: str, value: object) -> None:
 
 def seal(msg: Float32MultiArray, version: int = VERSION + 1) -> None:
     """Give a message a newer version and a checksum that fits."""
-    side = round(len(msg.data) ** 0.5)
-    matrix = np.array(msg.data, np.float32)[: side * side].reshape(side, side)
+    pre, post, values = np.array(msg.data, np.float32).reshape(-1, 3).T
+    count = int(next(d.label for d in msg.layout.dim if d.label.startswith('neurons='))[8:])
+    prior = PriorWeights(MODEL.network).checksum
+    with np.errstate(invalid='ignore'):
+        synapses = pre.astype(np.int64) * count + post.astype(np.int64)
+    learned = LearnedWeights(count, prior, synapses, values)
     label(msg, 'version', version)
-    label(msg, 'crc32', checksum(version, 1_000 * VERSION, matrix))
+    label(msg, 'crc32', WeightsUpdate(version, 1_000 * VERSION, learned).checksum())
 
 
 def one_value(value: float) -> Spoil:
@@ -97,9 +106,20 @@ def one_value(value: float) -> Spoil:
 
 
 def other_size(msg: Float32MultiArray, rng: np.random.Generator) -> None:
-    side = int(rng.integers(1, 2 * 15)) if rng.random() < 0.9 else COUNT + 1
-    msg.data = array('f', np.zeros(side * side, np.float32))
-    msg.layout.dim[0].size = msg.layout.dim[1].size = side
+    label(msg, 'neurons', int(rng.integers(1, 2 * 15)) if rng.random() < 0.9 else COUNT + 1)
+    seal(msg)
+
+
+def other_prior(msg: Float32MultiArray, rng: np.random.Generator) -> None:
+    other = replace(MODEL.network, weight_gain=rng.uniform(10.0, 70.0))
+    learned = Synapses.of(PriorWeights(other), PriorWeights(MODEL.network).dense()).learned
+    taken = weight_messages.to_msg(WeightsUpdate(VERSION + 1, 1_000 * VERSION, learned))
+    msg.layout, msg.data = taken.layout, taken.data
+
+
+def twice(msg: Float32MultiArray, rng: np.random.Generator) -> None:
+    row = 3 * int(rng.integers(1, len(msg.data) // 3))
+    msg.data[row : row + 2] = msg.data[row - 3 : row - 1]
     seal(msg)
 
 
@@ -125,12 +145,13 @@ def too_long(msg: Float32MultiArray, rng: np.random.Generator) -> None:
 
 
 def other_content(msg: Float32MultiArray, rng: np.random.Generator) -> None:
-    msg.data[int(rng.integers(len(msg.data)))] = 0.123
+    msg.data[3 * int(rng.integers(len(msg.data) // 3)) + 2] = 0.123
     seal(msg, VERSION)
 
 
 def older(msg: Float32MultiArray, rng: np.random.Generator) -> None:
-    msg.data = array('f', rng.uniform(-1, 1, len(msg.data)).astype(np.float32))
+    rows = np.frombuffer(msg.data, np.float32).reshape(-1, 3)
+    rows[:, 2] = rng.uniform(-1, 1, len(rows))
     seal(msg, int(rng.integers(VERSION)))
 
 
@@ -160,6 +181,8 @@ def layout(msg: Float32MultiArray, rng: np.random.Generator) -> None:
 
 FAULTS: dict[str, Spoil] = {
     'weights of another size': other_size,
+    'weights beside another prior': other_prior,
+    'one synapse twice': twice,
     'weights with one NaN': one_value(np.nan),
     'weights with one infinity': one_value(-np.inf),
     'weights out of range': one_value(1.0001),
@@ -180,12 +203,12 @@ def test_weights_that_lie_change_no_plan(ledger, pair, good, rng, fault):
     victim, twin = pair
     for n in range(ledger.repeats):
         with ledger.injection(14, fault):
-            before, refused = victim.watched.planner.weights, victim.refused
+            before, refused = victim.watched.planner.synapses, victim.refused
             msg = copy.deepcopy(good)
             FAULTS[fault](msg, rng)
             victim.hear(msg)
             assert victim.refused == refused + 1
-            assert victim.watched.planner.weights is before
+            assert victim.watched.planner.synapses is before
             assert victim.plan(n) == twin.plan(n) is not None
 
 
@@ -193,7 +216,7 @@ def test_ten_thousand_fuzzed_messages_change_no_plan(ledger, pair, good, rng):
     victim, twin = pair
     faults = list(FAULTS.values())
     with ledger.injection(14, f'{FUZZED} fuzzed messages of weights'):
-        before, refused = victim.watched.planner.weights, victim.refused
+        before, refused = victim.watched.planner.synapses, victim.refused
         for n in range(FUZZED):
             msg = Float32MultiArray(
                 layout=copy.deepcopy(good.layout), data=array('f', good.data.tobytes())
@@ -203,7 +226,7 @@ def test_ten_thousand_fuzzed_messages_change_no_plan(ledger, pair, good, rng):
             if n % (FUZZED // 5) == 0:
                 assert victim.plan(n) == twin.plan(n) is not None
         assert victim.refused == refused + FUZZED
-        assert victim.watched.planner.weights is before
+        assert victim.watched.planner.synapses is before
         assert victim.plan() == twin.plan() is not None
 
 
@@ -218,7 +241,8 @@ def test_a_dead_model_is_noticed_and_left_and_learning_goes_on_from_the_good_one
             adapter = LearnedModel(learner, weight_messages.from_msg(good))
             victim.hear(good)
             assert victim.plan(place) is not None
-            dead = np.full((COUNT, COUNT), -1.0, np.float32)
+            everywhere = np.full((COUNT, COUNT), -1.0, np.float32)
+            dead = Synapses.of(learner.neurons.prior, everywhere).learned
             adapter.load(WeightsUpdate(1, 0, dead), 0)
             victim.hear(weight_messages.to_msg(adapter.weights))
             assert [victim.plan(place) for _ in range(DEAD_AFTER)] == [None] * DEAD_AFTER
@@ -230,7 +254,8 @@ def test_a_dead_model_is_noticed_and_left_and_learning_goes_on_from_the_good_one
                 told = refusal_messages.from_msg(refusal_messages.to_msg(told))
                 assert adapter.leave(told, 1).version == 6
                 assert adapter.weights.version == 7
-                assert np.array_equal(learner.weights, weight_messages.from_msg(good).matrix)
+                known = weight_messages.from_msg(good).learned
+                assert learner.synapses.learned.same_as(known)
                 victim.hear(weight_messages.to_msg(adapter.weights))
                 assert victim.watched.watch.trouble == ''
             victim.hear(weight_messages.to_msg(WeightsUpdate(6, 0, dead)))
@@ -245,7 +270,7 @@ def test_a_watched_planner_plans_what_an_unwatched_one_plans(good):
     for n in range(6):
         if n == 3:
             victim.hear(good)
-            bare.use_weights(weight_messages.from_msg(good).matrix)
+            bare.use_weights(weight_messages.from_msg(good).learned)
         here = 0.1 * np.array([np.cos(n), np.sin(n)])
         target = 0.6 * np.array([np.sin(2.0 * n), np.cos(3.0 * n)])
         expected = bare.plan(plan(here, at_rest(here), target)).trajectory

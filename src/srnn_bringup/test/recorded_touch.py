@@ -17,7 +17,7 @@ from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.ros import commands, joints, journal, result, segment, weights, wrench
 from srnn_msgs_py.segment import FRAME, Segment
 from srnn_msgs_py.topics import topic
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_msgs_py.wrench import Wrench
 from srnn_replay.tracker_replay import COMMANDS
 
@@ -53,6 +53,7 @@ FIRST, BEFORE, AFTER = 1001, 1002, 1003
 """Stamps of segments: that which touches, one planned with the old weights, one with the new."""
 
 DURATION_S = 0.5
+NOTHING = LearnedWeights(4, 0, np.zeros(0, np.int64), np.zeros(0, np.float32))
 
 
 def write(directory: Path) -> Path:
@@ -65,7 +66,7 @@ def write(directory: Path) -> Path:
         put('segment_result', RESULT_SENT, result.to_msg(stop))
         put('segment', RESULT_SENT + MS, segment.to_msg(_segment(BEFORE)))
         for version, stamp, sent in ((0, 0, BEGIN - 20 * MS), (1, FIRST, RESULT_SENT + SHARED)):
-            put('weights', sent, weights.to_msg(WeightsUpdate(version, stamp, np.zeros((4, 4)))))
+            put('weights', sent, weights.to_msg(WeightsUpdate(version, stamp, NOTHING)))
         put('segment', RESULT_SENT + SENT, segment.to_msg(_segment(AFTER)))
         put('planner/journal', BEGIN + 10**9, journal.to_msg(_planned()))
     return directory

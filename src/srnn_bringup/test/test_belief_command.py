@@ -15,21 +15,31 @@ from srnn_bringup.config import Choices, load
 from srnn_config import to_mapping
 from srnn_msgs_py.ros import weights
 from srnn_msgs_py.topics import topic
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_planner.core import weights_file
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 MODEL = load(Choices()).network.model
-PRIOR = StateNeurons(MODEL.network).prior_weights
+NEURONS = StateNeurons(MODEL.network)
+PRIOR = NEURONS.prior_weights
 
 
-def learned(*neurons: int) -> np.ndarray:
-    matrix = PRIOR.copy()
-    matrix[:, list(neurons)] = -1.0
-    return matrix
+def matrix(*neurons: int) -> np.ndarray:
+    weights = PRIOR.copy()
+    weights[:, list(neurons)] = -1.0
+    return weights
 
 
-VERSIONS = (PRIOR, learned(30), learned(30, 31), learned(30, 31, 90))
+def learned(*neurons: int) -> LearnedWeights:
+    return Synapses.of(NEURONS.prior, matrix(*neurons)).learned
+
+
+def dense(update: WeightsUpdate) -> np.ndarray:
+    return NEURONS.synapses(update.learned).dense()
+
+
+VERSIONS = (learned(), learned(30), learned(30, 31), learned(30, 31, 90))
 
 
 @pytest.fixture
@@ -40,8 +50,8 @@ def bag(tmp_path: Path) -> Path:
     with BagWriter(tmp_path / 'bag') as writer:
         writer.attach(PARAMETERS.format('adapter'), 'x', yaml.safe_dump(told).encode(), 0)
         writer.add_topic('/arm/weights', row.type_name, row.qos)
-        for version, matrix in enumerate(VERSIONS):
-            msg = weights.to_msg(WeightsUpdate(version, 7 * version, matrix))
+        for version, weights_then in enumerate(VERSIONS):
+            msg = weights.to_msg(WeightsUpdate(version, 7 * version, weights_then))
             sent_ns = 10**18 + 2 * 10**9 * version
             data = bytes(serialize_message(msg))
             writer.write('/arm/weights', data, sent_ns, sent_ns, version + 1)
@@ -59,13 +69,13 @@ def test_every_version_is_listed_with_what_it_changed_where(bag, capsys):
     x, y = MODEL.workspace.to_metres(StateNeurons(MODEL.network).positions[90])
     assert rows[3][-2:] == [f'{x:.3f},', f'{y:.3f}']
     assert rows[0][3] == '0'
-    assert int(rows[1][3]) == (VERSIONS[1] != PRIOR).sum()
+    assert int(rows[1][3]) == (matrix(30) != PRIOR).sum()
 
 
 def test_one_update_is_undone_and_the_later_ones_stay(bag, tmp_path):
     assert run(f'revert {bag}@2 {tmp_path}/without.npz') == 0
     kept = weights_file.load(tmp_path / 'without.npz')
-    np.testing.assert_allclose(kept.matrix, learned(30, 90), atol=1e-6)
+    np.testing.assert_allclose(dense(kept), matrix(30, 90), atol=1e-6)
     assert kept.version == 4
 
 
@@ -75,16 +85,16 @@ def test_two_runs_are_put_together(bag, tmp_path):
     weights_file.save(other, WeightsUpdate(8, 0, learned(100)))
     assert run(f'merge {one} {other} {tmp_path}/both.npz') == 0
     both = weights_file.load(tmp_path / 'both.npz')
-    np.testing.assert_array_equal(both.matrix, learned(5, 100))
+    assert both.learned.same_as(learned(5, 100))
     assert both.version == 9
     assert run(f'merge {bag}@1 {other} {tmp_path}/mixed.npz') == 0
     mixed = weights_file.load(tmp_path / 'mixed.npz')
-    np.testing.assert_array_equal(mixed.matrix, learned(30, 100))
+    assert mixed.learned.same_as(learned(30, 100))
 
 
 def test_versions_are_compared_and_drawn(bag, tmp_path, capsys):
     assert run(f'diff {bag}@1 {bag}@2 --picture {tmp_path}/diff.png') == 0
-    assert str((VERSIONS[2] != VERSIONS[1]).sum()) in capsys.readouterr().out
+    assert str((matrix(30, 31) != matrix(30)).sum()) in capsys.readouterr().out
     assert run(f'show {bag} {tmp_path}/show.png') == 0
     for name in ('diff.png', 'show.png'):
         assert (tmp_path / name).read_bytes().startswith(b'\x89PNG')

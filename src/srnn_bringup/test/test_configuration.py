@@ -21,6 +21,8 @@ from srnn_config import ConfigError, ParameterError, UnknownKeyError
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core import weights_file
 from srnn_planner.core.errors import SrnnError
+from srnn_planner.core.prior import PriorWeights
+from srnn_planner.core.synapses import Synapses
 
 
 @pytest.fixture
@@ -108,18 +110,21 @@ def test_keys_left_out_keep_their_default(directory):
 
 def test_learning_starts_from_given_weights_if_they_fit(tmp_path):
     path = tmp_path / 'weights.npz'
-    matrix = np.full((225, 225), 0.25, dtype=np.float32)
-    weights_file.save(path, WeightsUpdate(3, 0, matrix))
-    np.testing.assert_array_equal(
-        load(Choices(initial_weights=path)).start_weights(), matrix
-    )
-    weights_file.save(path, WeightsUpdate(3, 0, matrix[:4, :4]))
-    with pytest.raises(SrnnError, match=r'\(225, 225\)'):
-        load(Choices(initial_weights=path))
+    prior = PriorWeights(load(Choices()).network.model.network)
+    learned = Synapses.of(prior, np.full((225, 225), 0.25, dtype=np.float32)).learned
+    weights_file.save(path, WeightsUpdate(3, 0, learned))
+    assert load(Choices(initial_weights=path)).start_weights().learned.same_as(learned)
+    for other, complaint in (
+        (replace(learned, neurons=250), 'of 250 neurons: must be of 225'),
+        (replace(learned, prior=0), 'beside the prior 0x00000000: must be'),
+    ):
+        weights_file.save(path, WeightsUpdate(3, 0, other))
+        with pytest.raises(SrnnError, match=complaint):
+            load(Choices(initial_weights=path))
 
 
 def test_without_weights_learning_starts_from_the_prior(configuration):
-    assert np.ptp(configuration.start_weights()) > 0.5
+    assert not len(configuration.start_weights().learned)
 
 
 def test_scene_is_found_by_name_and_by_path(directory, tmp_path, monkeypatch):

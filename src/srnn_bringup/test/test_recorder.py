@@ -8,7 +8,7 @@ from synthetic_run import Player, lesson, planner_health, segment
 from srnn_msgs_py.health import Health
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.segment import ExecutedPath
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 
 
 def pieces(stamp):
@@ -93,7 +93,8 @@ def test_the_largest_force_and_the_last_weights_are_kept(recorder):
     assert recorder.force_peak is None
     for force in (0.0, 12.0, 3.0):
         recorder.force(force)
+    nothing = LearnedWeights(2, 0, np.zeros(0, np.int64), np.zeros(0, np.float32))
     for version in (0, 1):
-        recorder.weights(WeightsUpdate(version, 0, np.zeros((2, 2), dtype=np.float32)))
+        recorder.weights(WeightsUpdate(version, 0, nothing))
     assert recorder.force_peak == 12.0
     assert recorder.last_weights.version == 1

@@ -86,8 +86,8 @@ def test_phase_two_starts_from_the_weights_of_phase_one_of_the_same_seed():
     (learner,) = POINTS.source_jobs([4])
     learned = outcome_of(learner)
     assert learned.figures['updates_triggered'] > 0
-    (job,) = POINTS.target_jobs([4], [learned.weights])
-    assert np.array_equal(job.setting.weights, learned.weights)
+    (job,) = POINTS.target_jobs([4], [learned.synapses.learned])
+    assert job.setting.weights is learned.synapses.learned
     (scratch,) = POINTS.scratch_jobs([4])
     assert job.key[0] != scratch.key[0]
     first, other = (outcome_of(j).records[0].plan.positions for j in (job, scratch))
@@ -97,12 +97,12 @@ def test_phase_two_starts_from_the_weights_of_phase_one_of_the_same_seed():
 def test_weights_that_were_learned_are_kept_where_nothing_is_new():
     """In a free world nothing is touched, and what is known stays bit for bit."""
     (learner,) = POINTS.source_jobs([4])
-    learned = outcome_of(learner).weights
+    learned = outcome_of(learner).synapses.learned
     free = replace(POINTS, target=replace(BASE, scene=replace(SOURCE, obstacles=())))
     (job,) = free.target_jobs([4], [learned])
     outcome = outcome_of(job)
     assert outcome.figures['contacts'] == outcome.figures['updates_triggered'] == 0
-    assert np.array_equal(outcome.weights, learned)
+    assert outcome.synapses.learned.same_as(learned)
 
 
 def test_every_seed_has_weights_of_its_own():

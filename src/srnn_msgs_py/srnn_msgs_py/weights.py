@@ -33,6 +33,10 @@ class LearnedWeights:
     synapses: NDArray[np.int64]
     values: NDArray[np.float32]
 
+    def __len__(self) -> int:
+        """Return how many synapses have learned."""
+        return len(self.synapses)
+
     def objection(self) -> str:
         """Return what is wrong with them, in words; empty if nothing is."""
         synapses, values = self.synapses, self.values
@@ -43,8 +47,9 @@ class LearnedWeights:
         if not (np.diff(synapses, prepend=-1) > 0).all():
             return 'synapses must increase from 0, each of them once'
         last = int(synapses[-1]) if len(synapses) else 0
-        if last >= self.neurons**2:
-            return f'synapse {last}: must be one of 0 to {self.neurons**2 - 1}'
+        count = int(self.neurons) ** 2
+        if last >= count:
+            return f'synapse {last}: must be one of 0 to {count - 1}'
         if not np.isfinite(values).all():
             where = int(np.argmin(np.isfinite(values)))
             return f'weight {where} = {values[where]}: must be finite'

@@ -11,7 +11,7 @@ from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.segment import FRAME, ExecutedPath, Segment
 from srnn_msgs_py.tip import TipPosition
 from srnn_msgs_py.topics import TOPICS
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 
 TEXT = '0123456789abcdef.17'
 OWNED = [row for row in TOPICS if row.ownership]
@@ -49,7 +49,7 @@ def test_whoever_reads_a_marked_message_sees_the_same_value():
     assert tip.frame == FRAME
     ended = SegmentResult(5, ResultCode.DONE, 'because', {'peak': 0.5})
     assert result.from_msg(marked(result.to_msg(ended))) == ended
-    update = WeightsUpdate(3, 5, np.eye(4, dtype=np.float32))
+    update = WeightsUpdate(3, 5, LearnedWeights(4, 7, np.arange(3), np.ones(3, np.float32)))
     assert weights.from_msg(marked(weights.to_msg(update))).version == 3
 
 

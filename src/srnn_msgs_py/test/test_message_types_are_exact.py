@@ -26,7 +26,7 @@ from srnn_msgs_py.ros import (
 from srnn_msgs_py.segment import ExecutedPath, Segment
 from srnn_msgs_py.tip import TipPosition
 from srnn_msgs_py.waypoints import Waypoints
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_msgs_py.wrench import Wrench
 
 STAMP = np.int64(1_795_000_000_000_000_001)
@@ -34,6 +34,7 @@ WHOLE = np.arange(6).reshape(3, 2)
 SINGLE = WHOLE.astype(np.float32)
 TIMES = np.arange(3, dtype=np.float32)
 NAMES = ('a', 'b')
+LEARNED = LearnedWeights(np.int32(3), np.uint32(7), WHOLE[:, 1], np.array([1, 0, -1]))
 
 
 def messages():
@@ -43,7 +44,7 @@ def messages():
     yield path.to_msg(ExecutedPath(STAMP, TIMES, SINGLE))
     yield from joints.to_msgs(JointSample(STAMP, WHOLE[0], SINGLE[0], WHOLE[1], SINGLE[1]), NAMES)
     yield commands.to_msg(WHOLE[0])
-    yield weights.to_msg(WeightsUpdate(np.int32(3), STAMP, np.eye(3, dtype=int)))
+    yield weights.to_msg(WeightsUpdate(np.int32(3), STAMP, LEARNED))
     yield refusal.to_msg(WeightsRefusal(np.int32(3), np.int64(2), np.str_('dead')))
     yield dissonance.to_msg(
         Dissonance(

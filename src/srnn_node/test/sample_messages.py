@@ -27,8 +27,9 @@ from srnn_msgs_py.ros import (
 from srnn_msgs_py.segment import ExecutedPath, Segment
 from srnn_msgs_py.tip import TipPosition
 from srnn_msgs_py.topics import TOPICS
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 
+LEARNED = LearnedWeights(3, 1, np.arange(0, 9, 4), np.ones(3, dtype=np.float32))
 OWNED = tuple(row for row in TOPICS if row.ownership)
 
 
@@ -47,7 +48,7 @@ def sample_message(name: str) -> Any:
         'segment_result': result.to_msg(
             SegmentResult(7, ResultCode.BLOCKED, 'touched', {'force_n': 9.5})
         ),
-        'weights': weights.to_msg(WeightsUpdate(3, 7, np.eye(3, dtype=np.float32))),
+        'weights': weights.to_msg(WeightsUpdate(3, 7, LEARNED)),
         'dissonance': dissonance.to_msg(
             Dissonance(7, 'local', True, 3, 0.5, rates, rates, update_ms=2.5)
         ),

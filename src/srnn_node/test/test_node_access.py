@@ -14,7 +14,7 @@ from srnn_msgs_py.ros import commands, weights
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import topic
-from srnn_msgs_py.weights import WeightsUpdate
+from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_node.access import RECENT_S
 from srnn_node.lifecycle import WorkspaceNode
 
@@ -32,8 +32,8 @@ class Mouth(WorkspaceNode):
         self.commands.publish(commands.to_msg(np.array([number])))
 
     def share(self, version):
-        matrix = np.eye(3, dtype=np.float32)
-        self.weights.publish(weights.to_msg(WeightsUpdate(version, 0, matrix)))
+        learned = LearnedWeights(3, 1, np.arange(4), np.ones(4, dtype=np.float32))
+        self.weights.publish(weights.to_msg(WeightsUpdate(version, 0, learned)))
 
 
 class Ear(WorkspaceNode):

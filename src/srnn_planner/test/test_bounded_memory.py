@@ -6,6 +6,7 @@ from dataclasses import replace
 import gc
 import tracemalloc
 
+from dense_weights import every
 from lessons import learned_model
 import numpy as np
 import pytest
@@ -110,10 +111,11 @@ def test_statistics_keep_the_last_durations_only():
 
 
 def test_the_watch_keeps_a_few_good_versions():
-    watch = ModelWatch(np.zeros((3, 3), np.float32), 2)
+    watch = ModelWatch(every(np.zeros((3, 3), np.float32)), 2)
 
     def event(n):
-        update = WeightsUpdate(n + 1, n, np.full((3, 3), (n % 1000) / 1000.0, np.float32))
+        content = np.full((3, 3), (n % 1000) / 1000.0, np.float32)
+        update = WeightsUpdate(n + 1, n, every(content))
         watch.check(update)
         watch.take(update)
         watch.planned() if n % 3 else watch.failed()

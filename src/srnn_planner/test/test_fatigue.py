@@ -7,12 +7,17 @@ import pytest
 from srnn_planner.core.fatigue import Fatigue
 from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.ways import Ways
 
 NEURONS = StateNeurons(NetworkParameters())
 PRIOR = NEURONS.prior_weights
 FREE = np.zeros(len(NEURONS.positions))
 HERE, TARGET, ELSEWHERE = np.zeros(2), np.array([0.8, 0.0]), np.array([-0.8, 0.0])
+
+
+def free_tolls(ways):
+    return ways.tolls(Synapses(NEURONS.prior), FREE, 6.0)
 
 
 def nearest(x, y):
@@ -42,8 +47,8 @@ def test_another_target_is_approached_afresh():
 
 def test_fatigue_makes_ways_longer_from_where_the_arm_was_and_none_shorter():
     ways = Ways(NEURONS, FREE)
-    rested = ways.remaining(ways.tolls(PRIOR, 6.0), TARGET, FREE)
-    after = ways.remaining(ways.tolls(PRIOR, 6.0), TARGET, 8.0 * tired(6).visits)
+    rested = ways.remaining(free_tolls(ways), TARGET, FREE)
+    after = ways.remaining(free_tolls(ways), TARGET, 8.0 * tired(6).visits)
     assert (after >= rested - 1e-12).all()
     assert after[nearest(0.0, 0.0)] > rested[nearest(0.0, 0.0)] + 0.2
     # Behind it, the way leads round; between it and the target nothing changes.
@@ -57,10 +62,12 @@ def test_the_longer_way_round_wins_in_the_end():
     x, y = NEURONS.positions.T
     weights[:, (np.abs(x - 0.3) < 0.2) & (y > -0.5) & (y < 0.3)] = -1.0
     ways, fatigue = Ways(NEURONS, FREE), Fatigue(NEURONS)
+    synapses = Synapses.of(NEURONS.prior, weights)
+    tolls = ways.tolls(synapses, ways.blockage.of(synapses), 6.0)
     near, far = nearest(0.0, 0.43), nearest(0.0, -0.57)
 
     def remaining():
-        return ways.remaining(ways.tolls(weights, 6.0), TARGET, 8.0 * fatigue.visits)
+        return ways.remaining(tolls, TARGET, 8.0 * fatigue.visits)
 
     assert remaining()[near] < remaining()[far]
     for _ in range(20):

@@ -7,13 +7,17 @@ import pytest
 from srnn_planner.core.blockage import Blockage
 from srnn_planner.core.graze import graze
 from srnn_planner.core.grid_mean import GridMean
+from srnn_planner.core.neighbourhood import Neighbourhood
 from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 NEURONS = StateNeurons(NetworkParameters())
 MEAN = GridMean(NetworkParameters())
 PRIOR = NEURONS.prior_weights
 FREE = np.zeros(len(NEURONS.positions))
+NEIGHBOURHOOD = Neighbourhood(NEURONS)
+BLOCKAGE = Blockage(NEIGHBOURHOOD, FREE)
 EVERYWHERE = np.ones_like(FREE)
 
 
@@ -54,32 +58,31 @@ def test_blockage_is_the_root_mean_square_loss_of_what_excited_a_neuron():
     neuron = 112
     excited = (PRIOR[:, neuron] > 0.0) & (np.arange(len(PRIOR)) != neuron)
     weights[:, neuron] = np.where(excited, PRIOR[:, neuron] - 0.4, -1.0)
-    found = Blockage(NEURONS, FREE).of(weights)
+    found = BLOCKAGE.of(Synapses.of(NEURONS.prior, weights))
     assert found[neuron] == pytest.approx(0.4, rel=1e-5)
     assert not np.delete(found, neuron).any()
     weights[:, neuron] = PRIOR[:, neuron]
     one = int(np.flatnonzero(excited)[0])
     weights[one, neuron] -= 0.5
-    found = Blockage(NEURONS, FREE).of(weights)
+    found = BLOCKAGE.of(Synapses.of(NEURONS.prior, weights))
     assert found[neuron] == pytest.approx(0.5 / np.sqrt(excited.sum()), rel=1e-5)
     # What has become more excitatory cannot make up for what is lost.
-    assert not Blockage(NEURONS, FREE).of(np.minimum(PRIOR + 0.2, 1.0)).any()
+    assert not BLOCKAGE.of(Synapses.of(NEURONS.prior, np.minimum(PRIOR + 0.2, 1.0))).any()
 
 
 def test_known_obstacles_block_without_a_touch_and_up_to_a_limit():
     inhibition = FREE.copy()
     inhibition[[5, 7]] = -0.5, -9.0
-    found = Blockage(NEURONS, inhibition).of(PRIOR)
+    found = Blockage(NEIGHBOURHOOD, inhibition).of(Synapses(NEURONS.prior))
     assert found[[5, 6, 7]] == pytest.approx([0.5, 0.0, 2.0])
 
 
 def test_a_neuron_between_two_blocked_ones_is_in_a_blocked_neighbourhood():
-    belief = Blockage(NEURONS, FREE)
     blockage = FREE.copy()
     blockage[[111, 113]] = 1.0
-    around = belief.around(blockage)
+    around = BLOCKAGE.around(blockage)
     assert around[112] > 0.0
-    assert around[112] == pytest.approx(2.0 / belief.neighbours[:, 112].sum())
+    assert around[112] == pytest.approx(2.0 / NEIGHBOURHOOD.count[112])
 
 
 @pytest.mark.parametrize(('dimensions', 'side'), [(1, 15), (2, 15), (3, 6)])

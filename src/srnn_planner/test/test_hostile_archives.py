@@ -6,6 +6,7 @@ import os
 import tracemalloc
 import zipfile
 
+from dense_weights import every
 from hypothesis import given
 from hypothesis import strategies as st
 import numpy as np
@@ -15,7 +16,8 @@ from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core import archive, weights_file
 from srnn_planner.core.errors import SrnnError, WeightsError, WeightsFileError
 
-GOOD = WeightsUpdate(3, 5, np.eye(9, dtype=np.float32))
+GOOD = WeightsUpdate(3, 5, every(np.eye(9, dtype=np.float32)))
+VALUES = GOOD.learned.values
 
 
 def arrays(**changes):
@@ -59,28 +61,28 @@ def crowded():
     return buffer.getvalue()
 
 
-BOMB = "{'descr': '<f4', 'fortran_order': False, 'shape': (9, 9), }"
+BOMB = "{'descr': '<f4', 'fortran_order': False, 'shape': (81,), }"
 HOSTILE = {
-    'bomb of zeros': member('matrix', npy(BOMB, bytes(50_000_000))),
-    'huge declared array': member('matrix', npy(BOMB.replace('9, 9', '10**6, 10**6'))),
-    'huge declared number': member('matrix', npy(BOMB.replace('9, 9', '9' * 3000 + ', 1'))),
-    'large declared array': member('matrix', npy(BOMB.replace('9, 9', '100000, 100000'))),
-    'negative shape': member('matrix', npy(BOMB.replace('9, 9', '-9, -9'))),
-    'deep header': member('matrix', npy('(' * 5000)),
-    'code as header': member('matrix', npy("__import__('os').abort()")),
-    'endless header': member('matrix', npy(' ' * 60_000 + BOMB)),
-    'array cut off': member('matrix', npy(BOMB, bytes(17))),
-    'array too long': member('matrix', npy(BOMB, bytes(500))),
-    'no array': member('matrix', b'PK'),
-    'array of later format': member('matrix', b'\x93NUMPY\x03\x00' + bytes(100)),
-    'pickled objects': bytes_of(matrix=np.array([[GOOD]], dtype=object)),
+    'bomb of zeros': member('values', npy(BOMB, bytes(50_000_000))),
+    'huge declared array': member('values', npy(BOMB.replace('81,', '10**12,'))),
+    'huge declared number': member('values', npy(BOMB.replace('81,', '9' * 3000 + ','))),
+    'large declared array': member('values', npy(BOMB.replace('81,', '10000000000,'))),
+    'negative shape': member('values', npy(BOMB.replace('81,', '-81,'))),
+    'deep header': member('values', npy('(' * 5000)),
+    'code as header': member('values', npy("__import__('os').abort()")),
+    'endless header': member('values', npy(' ' * 60_000 + BOMB)),
+    'array cut off': member('values', npy(BOMB, bytes(17))),
+    'array too long': member('values', npy(BOMB, bytes(500))),
+    'no array': member('values', b'PK'),
+    'array of later format': member('values', b'\x93NUMPY\x03\x00' + bytes(100)),
+    'pickled objects': bytes_of(values=np.array([GOOD], dtype=object)),
     'pickled version': bytes_of(version=np.array(GOOD, dtype=object)),
     'text as version': bytes_of(version=np.array('3')),
     'many versions': bytes_of(version=np.arange(3)),
     'negative version': bytes_of(version=np.int64(-3)),
-    'other number type': bytes_of(matrix=GOOD.matrix.astype(np.float64)),
+    'other number type': bytes_of(values=VALUES.astype(np.float64)),
     'number type of the same size': bytes_of(version=np.float64(3.0)),
-    'flat': bytes_of(matrix=GOOD.matrix.ravel()),
+    'not flat': bytes_of(values=VALUES.reshape(9, 9)),
     'too many members': crowded(),
     'truncated': bytes_of()[:-1],
     'half': bytes_of()[: len(bytes_of()) // 2],
@@ -88,10 +90,14 @@ HOSTILE = {
     **{f'without {name}': without(name) for name in arrays()},
 }
 UNSOUND = {
-    'not square': bytes_of(matrix=GOOD.matrix[:4]),
+    'too few': bytes_of(values=VALUES[:80]),
+    'out of order': bytes_of(synapses=np.arange(81)[::-1]),
+    'beyond the network': bytes_of(synapses=np.arange(81) + 1),
+    'too large': bytes_of(values=VALUES * np.float32(1.5)),
+    'not finite': bytes_of(values=VALUES * np.float32('nan')),
     'version without room': bytes_of(version=np.int64(weights_file.LATEST + 1)),
     'other checksum': bytes_of(checksum=np.uint32(1)),
-    'other content': bytes_of(matrix=GOOD.matrix * np.float32(0.5)),
+    'other content': bytes_of(values=VALUES * np.float32(0.5)),
 }
 
 
@@ -124,7 +130,7 @@ def test_a_huge_file_is_not_read(tmp_path):
 
 
 def test_an_array_is_not_unpacked_beyond_the_limit(tmp_path, monkeypatch):
-    bomb = member('matrix', npy(BOMB.replace('9, 9', '2000, 2000'), bytes(16_000_000)))
+    bomb = member('values', npy(BOMB.replace('81,', '4000000,'), bytes(16_000_000)))
     monkeypatch.setattr(archive, 'MAX_FILE_BYTES', 100_000)
     assert len(bomb) < archive.MAX_FILE_BYTES
     (tmp_path / 'w').write_bytes(bomb)
@@ -158,8 +164,8 @@ def test_what_is_no_regular_file_is_refused_at_once(tmp_path, kind):
 
 
 def test_files_of_other_tools_are_read_compressed_or_not(tmp_path):
-    np.savez_compressed(tmp_path / 'w.npz', **arrays(matrix=np.asfortranarray(GOOD.matrix)))
-    assert np.array_equal(weights_file.load(tmp_path / 'w.npz').matrix, GOOD.matrix)
+    np.savez_compressed(tmp_path / 'w.npz', **arrays())
+    assert weights_file.load(tmp_path / 'w.npz').learned.same_as(GOOD.learned)
 
 
 @given(st.integers(0, len(bytes_of()) - 1), st.integers(1, 255))
@@ -174,4 +180,4 @@ def test_one_changed_byte_never_changes_the_weights(tmp_path_factory, where, cha
         return
     # A date, say, or a name that is not needed.
     assert (loaded.version, loaded.segment_stamp_ns) == (3, 5)
-    assert np.array_equal(loaded.matrix, GOOD.matrix)
+    assert loaded.learned.same_as(GOOD.learned)

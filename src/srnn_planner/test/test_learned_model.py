@@ -3,6 +3,7 @@
 
 from dataclasses import replace
 
+from dense_weights import every, learned
 from hypothesis import given
 from hypothesis import strategies as st
 from lessons import MODEL, SMALL, learned_model, pair
@@ -15,6 +16,8 @@ from srnn_planner.core import checkpoint, generator_state
 from srnn_planner.core.errors import PairingError, WeightsError
 from srnn_planner.core.history import LENGTH
 from srnn_planner.core.lineage import KEPT
+from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 PAIRS = 9
 
@@ -26,7 +29,7 @@ def teach(model, stamps):
 
 def same(a, b):
     assert a.weights.version == b.weights.version
-    assert a.weights.matrix.tobytes() == b.weights.matrix.tobytes()
+    assert a.weights.learned.same_as(b.weights.learned)
     assert a.learner.updates == b.learner.updates
     assert np.array_equal(a.learner.random_state(), b.learner.random_state())
 
@@ -110,20 +113,20 @@ def test_what_is_no_pair_changes_nothing():
 
 def test_a_refusal_takes_the_model_back_to_the_good_version_as_a_new_one():
     model = learned_model()
-    matrices = [model.weights.matrix]
+    versions = [model.weights.learned]
     for stamp in range(1, 6):
         teach(model, (stamp,))
-        matrices.append(model.weights.matrix)
+        versions.append(model.weights.learned)
     assert model.leave(WeightsRefusal(4, 2, ''), 50).version == 5
     assert model.weights.version == 6
-    assert np.array_equal(model.weights.matrix, matrices[2])
-    assert model.learner.weights is model.weights.matrix
+    assert model.weights.learned.same_as(versions[2])
+    assert model.learner.synapses.learned is model.weights.learned
     # Told again, as after a restart of the planner: it has been done already.
     assert model.leave(WeightsRefusal(4, 2, ''), 51) is None
     assert model.leave(WeightsRefusal(9, 2, ''), 51) is None
     # A planner that knows of no good version: one step back.
     assert model.leave(WeightsRefusal(6, 0, ''), 52) is not None
-    assert np.array_equal(model.weights.matrix, matrices[1])
+    assert model.weights.learned.same_as(versions[1])
     assert model.weights.version == 7
 
 
@@ -135,54 +138,53 @@ def test_the_refusal_of_newer_weights_of_somebody_else_is_outrun():
     assert model.leave(foreign, 5) is None
     assert model.catch_up(foreign, 5)
     assert model.weights.version == 101
-    assert model.weights.matrix is weights.matrix is model.learner.weights
+    assert model.weights.learned is weights.learned is model.learner.synapses.learned
     assert not model.catch_up(foreign, 6)
     assert not model.catch_up(WeightsRefusal(50, 2, ''), 6)
     assert not model.catch_up(WeightsRefusal(MAX_VERSION, 2, ''), 6)
     teach(model, (3,))
     assert model.leave(WeightsRefusal(102, 101, ''), 7).version == 102
-    assert np.array_equal(model.weights.matrix, weights.matrix)
+    assert model.weights.learned.same_as(weights.learned)
 
 
 def test_ever_older_versions_end_with_the_prior():
     model = learned_model()
     teach(model, range(1, KEPT + 4))
-    prior = model.learner.neurons.prior_weights
     for count in range(1, KEPT + 2):
-        assert not np.array_equal(model.weights.matrix, prior)
+        assert len(model.weights.learned)
         assert model.leave(WeightsRefusal(model.weights.version, 0, ''), 5) is not None
         assert model.weights.version == KEPT + 3 + count
-    assert np.array_equal(model.weights.matrix, prior)
+    assert not len(model.weights.learned)
     assert model.leave(WeightsRefusal(model.weights.version, 0, ''), 5) is None
 
 
 def test_dead_initial_weights_are_left_for_the_prior():
     dead = np.full((SMALL.neurons, SMALL.neurons), -1.0, np.float32)
-    model = learned_model(initial=WeightsUpdate(12, 5, dead))
+    model = learned_model(initial=WeightsUpdate(12, 5, learned(StateNeurons(SMALL), dead)))
     assert model.weights.version == 12
     assert model.leave(WeightsRefusal(12, 0, ''), 5).version == 12
-    assert np.array_equal(model.weights.matrix, model.learner.neurons.prior_weights)
+    assert not len(model.weights.learned)
     assert model.weights.version == 13
 
 
 def test_versions_only_rise_whatever_is_loaded():
     model = learned_model()
     teach(model, range(1, 4))
-    prior = model.learner.neurons.prior_weights
+    nothing = Synapses(model.learner.neurons.prior).learned
     for version, expected in ((1, 4), (4, 5), (100, 100)):
-        model.load(WeightsUpdate(version, 0, prior), 5)
+        model.load(WeightsUpdate(version, 0, nothing), 5)
         assert model.weights.version == expected
     model.revert(5)
     assert model.weights.version == 101
     with pytest.raises(WeightsError):
-        model.load(WeightsUpdate(500, 0, prior * np.float32(2.0)), 5)
+        model.load(WeightsUpdate(500, 0, every(np.full((25, 25), 2.0), nothing.prior)), 5)
     assert model.weights.version == 101
 
 
 def test_the_history_tells_what_happened_and_forgets_the_oldest():
     model = learned_model()
     teach(model, (1, 2))
-    model.load(WeightsUpdate(7, 3, model.weights.matrix), 20)
+    model.load(WeightsUpdate(7, 3, model.weights.learned), 20)
     model.revert(21)
     model.leave(WeightsRefusal(8, 1, ''), 22)
     restarted = learned_model()
@@ -210,7 +212,11 @@ def test_a_checkpoint_of_another_network_changes_nothing():
     teach(model, (1,))
     before, state = model.checkpoint(), model.learner.random_state()
     odd = replace(before, generator=np.zeros(6, np.uint64))
-    nan = replace(before, earlier=(WeightsUpdate(0, 0, before.weights.matrix * np.nan),))
+    taught = before.weights.learned
+    nan = replace(
+        before,
+        earlier=(WeightsUpdate(0, 0, replace(taught, values=taught.values * np.nan)),),
+    )
     for bad in (other.checkpoint(), odd, nan):
         with pytest.raises(WeightsError):
             model.restore(bad, 5)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Dead weights are noticed, left for the newest good ones, and refused only if those do better."""
 
+from dense_weights import every
 from hypothesis import given
 from hypothesis import strategies as st
 import numpy as np
@@ -12,12 +13,12 @@ from srnn_planner.core.errors import WeightsError
 from srnn_planner.core.model_watch import KEPT, ModelWatch
 
 N = 3
-PRIOR = np.zeros((4, 4), np.float32)
+PRIOR = every(np.zeros((4, 4), np.float32))
 
 
 def weights(version, content=None):
     value = (version if content is None else content) / 1000.0
-    return WeightsUpdate(version, 10 * version, np.full((4, 4), value, np.float32))
+    return WeightsUpdate(version, 10 * version, every(np.full((4, 4), value, np.float32)))
 
 
 def use(watch, update):
@@ -187,7 +188,7 @@ def test_whatever_happens_memory_is_bounded_and_refusals_name_a_newer_version(ev
             watch.failed()
         else:
             version += 1
-            content = version if event == 'new' else round(1000 * watch.in_use.matrix[0, 0])
+            content = version if event == 'new' else round(1000 * watch.in_use.learned.values[0])
             use(watch, weights(version, content))
         assert len(watch._good) <= KEPT
         assert len(watch._dead) <= KEPT + 1

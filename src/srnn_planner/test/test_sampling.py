@@ -21,6 +21,7 @@ from srnn_planner.core.random_words import seeds
 from srnn_planner.core.sampler import Sampler
 from srnn_planner.core.sampling import SampleInput, activation, sample_spikes
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 CONTEXT = ContextParameters(spike_probability_start=0.05, spike_probability_end=0.4)
 
@@ -63,8 +64,8 @@ def test_kernel_gives_the_spikes_of_plain_python(
     neurons, weights, context, bias, history = sample_case(
         network, rng, samples=2, context_neurons=context_neurons
     )
-    sampler = Sampler(network, neurons.positions, bias, CONTEXT.amplitude)
-    sampler.use_weights(weights)
+    sampler = Sampler(neurons, bias, CONTEXT.amplitude)
+    sampler.use_weights(Synapses.of(neurons.prior, weights))
     states = seeds(rng, 2)
     spikes, activity = sampler.sample(context, history, states)
     expected = sampling_oracle.sample(
@@ -99,8 +100,8 @@ def test_kernel_has_the_distribution_of_the_reference(network, rng):
         rng.random((*size, network.neurons), dtype=np.float32),
         rng.random((*size, len(context.weights)), dtype=np.float32),
     ))  # fmt: skip
-    sampler = Sampler(network, neurons.positions, bias, CONTEXT.amplitude)
-    sampler.use_weights(weights)
+    sampler = Sampler(neurons, bias, CONTEXT.amplitude)
+    sampler.use_weights(Synapses.of(neurons.prior, weights))
     states = seeds(rng, samples)
     runs = [
         sampler.sample(context, history[n : n + 1], states[n : n + 1])[0] for n in range(samples)
@@ -116,8 +117,8 @@ def test_kernel_has_the_distribution_of_the_reference(network, rng):
 def test_the_same_words_give_the_same_spikes_whoever_else_is_sampled(rng):
     network = NetworkParameters()
     neurons, weights, context, bias, history = sample_case(network, rng)
-    sampler = Sampler(network, neurons.positions, bias, CONTEXT.amplitude)
-    sampler.use_weights(weights)
+    sampler = Sampler(neurons, bias, CONTEXT.amplitude)
+    sampler.use_weights(Synapses.of(neurons.prior, weights))
     states = seeds(rng, len(history))
     _, together = sampler.sample(context, history, states)
     _, alone = sampler.sample(context, history[3:4], states[3:4])
@@ -131,8 +132,9 @@ def test_no_weights_and_no_input_make_sums_overflow(huge, rng):
     neurons, _, context, _, history = sample_case(network, rng, samples=1)
     bias = np.full(network.neurons, huge)
     for weight in (1.0, -1.0):
-        sampler = Sampler(network, neurons.positions, bias, CONTEXT.amplitude)
-        sampler.use_weights(np.full((network.neurons,) * 2, weight, dtype=np.float32))
+        sampler = Sampler(neurons, bias, CONTEXT.amplitude)
+        everywhere = np.full((network.neurons,) * 2, weight, dtype=np.float32)
+        sampler.use_weights(Synapses.of(neurons.prior, everywhere))
         states = seeds(rng, 1)
         spikes, _ = sampler.sample(context, history, states)
         expected = sampling_oracle.sample(

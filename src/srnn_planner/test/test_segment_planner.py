@@ -3,6 +3,7 @@
 
 from dataclasses import replace
 
+from dense_weights import learned
 import numpy as np
 import pytest
 
@@ -19,6 +20,10 @@ TARGET = np.array([0.6, 0.0])
 
 def planner(seed=1, model=MODEL):
     return SegmentPlanner(model, PLANNING, np.random.default_rng(seed))
+
+
+def use(a_planner, weights):
+    a_planner.use_weights(learned(a_planner.neurons, weights))
 
 
 def request(position=HERE, target=TARGET, **more):
@@ -64,7 +69,7 @@ def test_after_a_contact_the_segment_backs_off_first():
 
 def test_dead_network_gives_no_plan_rather_than_a_wrong_one():
     a_planner = planner()
-    a_planner.use_weights(np.full((225, 225), -1.0, dtype=np.float32))
+    use(a_planner, np.full((225, 225), -1.0, dtype=np.float32))
     assert a_planner.plan(request()).trajectory is None
 
 
@@ -96,7 +101,7 @@ def follow(signal, segments, seed):
             retreat, joining = trail.back(0.018), at_rest(path[last])
         trail.extend(executed)
         if learner.learn(path, executed).updated:
-            a_planner.use_weights(learner.weights)
+            a_planner.use_weights(learner.synapses.learned)
         if joining.position[0] > 0.12:
             trail, joining, retreat = Trail(), at_rest(np.array([-0.15, 0.0])), None
     return touched
@@ -115,7 +120,7 @@ def test_touches_teach_the_way_round_and_without_learning_they_go_on():
 
 def shadow(a_planner, loss):
     """Weights that have lost `loss` around the way point."""
-    weights = a_planner.weights.copy()
+    weights = a_planner.synapses.dense()
     near = np.linalg.norm(a_planner.neurons.positions - TARGET, axis=1) < 0.25
     weights[:, near] -= np.where(weights[:, near] > 0.0, loss, 0.0)
     return np.clip(weights, -1.0, 1.0)
@@ -132,7 +137,7 @@ def arrivals(a_planner, **more):
 def test_a_plan_that_arrives_has_nothing_left_to_go():
     """To a way point in a shadow of what was learned, the arm goes all the same."""
     a_planner = planner()
-    a_planner.use_weights(shadow(a_planner, 0.3))
+    use(a_planner, shadow(a_planner, 0.3))
     assert arrivals(a_planner, reach=0.2) > arrivals(a_planner) + 5
 
 
@@ -140,9 +145,9 @@ def way_past_a_wall(refused, seed):
     """Return whether segments lead to the near end, before and after many beside it."""
     a_planner = planner(seed)
     x, y = a_planner.neurons.positions.T
-    weights = a_planner.weights.copy()
+    weights = a_planner.synapses.dense()
     weights[:, (np.abs(x - 0.3) < 0.2) & (y > -0.5) & (y < 0.3)] = -1.0
-    a_planner.use_weights(weights)
+    use(a_planner, weights)
     before, near = 0.3 * np.array([[0.0, -0.1], [0.0, 0.4]])
     first = a_planner.plan(request(before)).trajectory.end.position
     for _ in range(20):

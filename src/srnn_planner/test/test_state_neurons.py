@@ -8,6 +8,7 @@ from srnn_config import ParameterError
 from srnn_planner.core.errors import SrnnError, WeightsError
 from srnn_planner.core.parameters import NetworkParameters
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 
 DEFAULT = NetworkParameters()
 
@@ -68,7 +69,7 @@ def test_weights_that_do_not_fit_are_refused(spoil):
     else:
         weights[3, 4] = np.nan if spoil == 'nan' else 1.5
     with pytest.raises(WeightsError) as error:
-        neurons.check_weights(weights)
+        Synapses.of(neurons.prior, weights)
     assert isinstance(error.value, SrnnError)
     assert isinstance(error.value, ValueError)
 

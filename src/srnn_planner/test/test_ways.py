@@ -11,6 +11,7 @@ from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import NetworkParameters, ObstacleParameters
 from srnn_planner.core.shortest_way import distances
 from srnn_planner.core.state_neurons import StateNeurons
+from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.ways import Ways
 
 NEURONS = StateNeurons(NetworkParameters())
@@ -35,7 +36,13 @@ def at(x, y):
 
 def detour(weights, aversion, target=TARGET, inhibition=FREE):
     ways = Ways(NEURONS, inhibition)
-    return ways.detour(ways.remaining(ways.tolls(weights, aversion), target, FREE), target)
+    return ways.detour(remaining(ways, weights, aversion, target), target)
+
+
+def remaining(ways, weights, aversion, target=TARGET):
+    synapses = Synapses.of(NEURONS.prior, weights)
+    tolls = ways.tolls(synapses, ways.blockage.of(synapses), aversion)
+    return ways.remaining(tolls, target, FREE)
 
 
 @settings(max_examples=25, deadline=None)
@@ -52,11 +59,11 @@ def test_detours_are_never_negative_and_grow_with_aversion(seed, aversion):
 def test_nothing_learned_means_no_detour_and_hardly_more_than_the_beeline():
     assert not detour(PRIOR, 5.0).any()
     ways = Ways(NEURONS, FREE)
-    remaining = ways.remaining(ways.tolls(PRIOR, 5.0), TARGET, FREE)
+    found = remaining(ways, PRIOR, 5.0)
     beeline = np.linalg.norm(NEURONS.positions - TARGET, axis=1)
-    assert (remaining >= beeline - 1e-12).all()
+    assert (found >= beeline - 1e-12).all()
     # Steps reach up to two neurons far, in 16 directions.
-    assert (remaining <= 1.05 * beeline + 0.02).all()
+    assert (found <= 1.05 * beeline + 0.02).all()
 
 
 def test_without_aversion_nothing_is_a_detour():
@@ -112,11 +119,14 @@ def test_shortest_ways_are_those_of_bellman_and_ford(seed):
     pre, post = np.nonzero(rng.random((count, count)) < 0.4)
     order = np.argsort(post, kind='stable')
     pre, post = pre[order], post[order]
-    cost = rng.random(len(pre))
+    length, tolls = rng.random((2, len(pre)))
+    fatigue = rng.random(count)
+    cost = length * (tolls + fatigue[pre])
     start = np.where(rng.random(count) < 0.4, rng.random(count), np.inf)
     expected = start.copy()
     for _ in range(count):
-        for a, b, length in zip(pre, post, cost, strict=True):
-            expected[a] = min(expected[a], length + expected[b])
+        for a, b, step in zip(pre, post, cost, strict=True):
+            expected[a] = min(expected[a], step + expected[b])
     first = np.searchsorted(post, np.arange(count + 1))
-    assert distances(first, pre, cost, start) == pytest.approx(expected)
+    found = distances(first, pre.astype(np.int32), length, tolls, fatigue, start)
+    assert found == pytest.approx(expected)

@@ -3,6 +3,7 @@
 
 import os
 
+from dense_weights import every
 import numpy as np
 import pytest
 
@@ -15,14 +16,14 @@ from srnn_planner.core.pairing import KEPT, Pairing
 
 @pytest.fixture
 def weights(rng):
-    return WeightsUpdate(3, 123456789, rng.uniform(-1, 1, (9, 9)).astype(np.float32))
+    return WeightsUpdate(3, 123456789, every(rng.uniform(-1, 1, (9, 9)).astype(np.float32)))
 
 
 def test_saved_weights_come_back_bit_for_bit(tmp_path, weights):
     weights_file.save(tmp_path / 'w.npz', weights)
     loaded = weights_file.load(tmp_path / 'w.npz')
     assert (loaded.version, loaded.segment_stamp_ns) == (3, 123456789)
-    assert np.array_equal(loaded.matrix, weights.matrix)
+    assert loaded.learned.same_as(weights.learned)
 
 
 def test_failed_write_leaves_the_old_file_and_no_other(tmp_path, weights, monkeypatch):
@@ -33,7 +34,7 @@ def test_failed_write_leaves_the_old_file_and_no_other(tmp_path, weights, monkey
 
     monkeypatch.setattr(os, 'fsync', fail)
     with pytest.raises(WeightsFileError, match='disk full'):
-        weights_file.save(tmp_path / 'w.npz', WeightsUpdate(4, 5, weights.matrix))
+        weights_file.save(tmp_path / 'w.npz', WeightsUpdate(4, 5, weights.learned))
     assert weights_file.load(tmp_path / 'w.npz').version == 3
     assert [p.name for p in tmp_path.iterdir()] == ['w.npz']
 
@@ -59,12 +60,9 @@ def test_pickled_objects_are_not_read(tmp_path):
 
 
 def test_altered_weights_are_refused(tmp_path, weights):
-    altered = weights.matrix.copy()
-    altered[0, 0] = 0.5
-    np.savez(
-        tmp_path / 'w.npz', version=np.int64(3), segment_stamp_ns=np.int64(123456789),
-        matrix=altered, checksum=np.uint32(weights.checksum()),
-    )  # fmt: skip
+    altered = weights.learned.values.copy()
+    altered[0] = 0.5
+    np.savez(tmp_path / 'w.npz', **{**weights_file.to_arrays(weights), 'values': altered})
     with pytest.raises(WeightsError, match='checksum'):
         weights_file.load(tmp_path / 'w.npz')
 

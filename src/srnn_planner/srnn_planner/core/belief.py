@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.errors import WeightsError
 from srnn_planner.core.grid import Indices
 from srnn_planner.core.synapses import Synapses
 
@@ -31,7 +32,13 @@ class Change:
 
 
 def change(before: Synapses, after: Synapses) -> Change:
-    """Return how weights have changed."""
+    """Return how weights have changed.
+
+    Raises:
+        WeightsError: they are of different networks.
+
+    """
+    _check(before, after)
     touched = _touched(before, after)
     difference = after.at(touched).astype(np.float64) - before.at(touched)
     size = np.abs(difference)
@@ -48,7 +55,12 @@ def undone(newest: Synapses, before: Synapses, after: Synapses) -> Synapses:
 
     What came later stays: from every synapse the difference that the update made is taken
     away, within the limits of the weights. The last update is undone exactly.
+
+    Raises:
+        WeightsError: they are of different networks.
+
     """
+    _check(newest, before, after)
     touched = _touched(newest, before, after)
     now, old, new = (synapses.at(touched) for synapses in (newest, before, after))
     difference = new.astype(np.float64) - old
@@ -63,7 +75,12 @@ def merged(one: Synapses, other: Synapses) -> Synapses:
     Every synapse is taken from the run that has changed it more; of two that have changed it
     by as much, from the one that inhibits more. So it does not matter which is which, nothing
     is added by merging twice, and whoever has learned nothing changes nothing.
+
+    Raises:
+        WeightsError: they are of different networks.
+
     """
+    _check(one, other)
     touched = _touched(one, other)
     prior = Synapses(one.prior).at(touched)
     a, b = one.at(touched), other.at(touched)
@@ -93,6 +110,12 @@ def correlation(one: Learned, other: Learned) -> float:
     variances = [x @ x / everywhere - (x.sum() / everywhere) ** 2 for x in (a, b)]
     product = float(np.prod(variances))
     return float(covariance / np.sqrt(product)) if product > 0.0 else float('nan')
+
+
+def _check(*versions: Synapses) -> None:
+    priors = sorted({f'{version.prior.checksum:#010x}' for version in versions})
+    if len(priors) > 1:
+        raise WeightsError(f'weights beside the priors {" and ".join(priors)}: must be one')
 
 
 def _touched(*versions: Synapses) -> Indices:

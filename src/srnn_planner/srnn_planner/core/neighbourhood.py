@@ -29,7 +29,8 @@ class Neighbourhood:
         self._neurons = prior.grid.count
         post, offset = prior.grid.pairs(np.arange(self._neurons), near)
         pre = post + (near @ prior.grid.strides)[offset]
-        self._number = post * self._neurons + pre
+        # Behind all edges there is one more, which is none.
+        self._number = np.append(post * self._neurons + pre, self._neurons**2)
         self.first = np.searchsorted(post, np.arange(self._neurons + 1))
         self.pre = pre.astype(np.int32)
         spacing = 2.0 / (prior.grid.side - 1)
@@ -40,7 +41,6 @@ class Neighbourhood:
         """Return the edge between neurons (n,); -1 where one does not excite the other."""
         wanted = post * self._neurons + pre
         edge = np.searchsorted(self._number, wanted)
-        edge[edge == len(self._number)] = 0
         return np.where(self._number[edge] == wanted, edge, -1)
 
     def mean(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
