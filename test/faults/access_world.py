@@ -201,7 +201,8 @@ class World:
         """Return what could have been moved, bit for bit."""
         tracker, arm, planner = self.tracker._tracker, self.bridge._arm, self.planner
         reference, sample = tracker.reference, self.tracker._sample
-        numbers = [planner._session.planner.weights, arm._gate.last, arm.data.qpos]
+        learned = planner._session.planner.synapses.learned
+        numbers = [learned.synapses, learned.values, arm._gate.last, arm.data.qpos]
         if reference is not None:
             numbers += [reference.position, sample.position, sample.velocity]
         others = (

@@ -4,6 +4,7 @@ import struct
 from synthetic_run import Player
 
 from srnn_bringup.picture import DPI, SIZE, Story, draw
+from srnn_planner.core.synapses import Synapses
 
 
 def png_size(path):
@@ -18,8 +19,9 @@ def test_picture_of_a_run_has_its_size_and_shows_something(recorder, configurati
     for point in configuration.scene.waypoints:
         player.go(point)
     before = configuration.start_weights()
-    after = before.copy()
-    after[:, 100:110] -= 0.1
+    weights = before.dense()
+    weights[:, 100:110] -= 0.1
+    after = Synapses.of(before.prior, weights)
     path = tmp_path / 'demo.png'
     draw(Story(configuration, recorder.records, before, after), path)
     assert png_size(path) == (round(SIZE[0] * DPI), round(SIZE[1] * DPI))
