@@ -12,6 +12,7 @@ from dataclasses import asdict, replace
 import json
 from pathlib import Path
 
+from in_numpy import PlainMean, numpy_only
 import lower_bound
 import numpy as np
 from threadpoolctl import threadpool_limits
@@ -29,9 +30,8 @@ from srnn_planner.core.plasticity import Experience
 from srnn_planner.core.random_words import seeds
 from srnn_planner.core.retreat import at_rest
 from srnn_planner.core.sampler import Sampler
-from srnn_planner.core.sampling import PlainSampler, SampleInput
+from srnn_planner.core.sampling import SampleInput
 from srnn_planner.core.selection import select
-from srnn_planner.core.state_neurons import StateNeurons
 
 MODEL = ModelParameters()
 HERE, TARGET = np.zeros(2), np.array([0.5, -0.5])
@@ -40,14 +40,6 @@ STOP = 0.5
 """The execution that is learned from stops after this share of the plan."""
 
 Calls = dict[str, Callable[[], object]]
-
-
-class InNumPy:
-    """Means on the grid by the plain reference."""
-
-    def __init__(self, neurons: StateNeurons) -> None:
-        """Take the grid."""
-        self.at = neurons.interpolate
 
 
 class PlanningCalls:
@@ -96,10 +88,15 @@ class PlanningCalls:
         cost = self.planner._cost(REQUEST, self.goal)
         average = MODEL.workspace.to_metres(paths[:4].mean(axis=0))
         extent = MODEL.workspace.half_extent
-        plain = SegmentPlanner(MODEL, self.planning, np.random.default_rng(3))
-        plain._sampler = PlainSampler(plain.neurons, np.zeros(MODEL.network.neurons), 0.0)
-        plain._mean = InNumPy(plain.neurons)
-        plain.use_weights(self.planner.synapses.learned)
+        with numpy_only():
+            plain = SegmentPlanner(MODEL, self.planning, np.random.default_rng(3))
+            plain._mean = PlainMean(plain.neurons)
+            plain.use_weights(self.planner.synapses.learned)
+
+        def in_numpy() -> object:
+            with numpy_only():
+                return plain.plan(REQUEST)
+
         work = lower_bound.work(
             MODEL.network, self.given(self.goal.context), self.sampler
         )
@@ -114,7 +111,7 @@ class PlanningCalls:
             'decoding': lambda: decode(activity, self.window),
             'selection': lambda: select(paths, self.planning.selection, cost),
             'segment': lambda: segment_along(average, REQUEST, self.planning.trajectory, extent),
-            'plan in NumPy': lambda: plain.plan(REQUEST),
+            'plan in NumPy': in_numpy,
             'sampling in NumPy': lambda: plain._sampler.sample(
                 self.goal.context, history, seeds(self.rng, len(history))
             ),
@@ -173,8 +170,8 @@ def table(times: dict[str, Times], steps: int) -> str:
         *(f'| {name} | {t.p50:.3f} ms | {t.p99:.3f} ms | {t.least:.3f} ms |'
           for name, t in times.items()),
         '',
-        f'- Planning is {plain.p50 / times["plan"].p50:.1f} times as fast as with sampler and '
-        f'means in NumPy, sampling {reference.p50 / sampling.p50:.1f} times, the replay '
+        f'- Planning is {plain.p50 / times["plan"].p50:.1f} times as fast as in NumPy, '
+        f'sampling {reference.p50 / sampling.p50:.1f} times, the replay '
         f'{times["replay in NumPy"].p50 / times["replay"].p50:.0f} times.',
         f'- Sampling takes {sampling.least / bound:.1f} times what its random words and its way '
         'through memory take alone (least times).',

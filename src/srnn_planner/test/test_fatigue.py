@@ -20,14 +20,18 @@ def free_tolls(ways):
     return ways.tolls(Synapses(NEURONS.prior), FREE, 6.0)
 
 
+def omega(position):
+    return NEURONS.responsibilities(position[None])[0]
+
+
 def nearest(x, y):
     return int(np.argmin(np.linalg.norm(NEURONS.positions - [x, y], axis=1)))
 
 
 def tired(visits):
-    fatigue = Fatigue(NEURONS)
+    fatigue = Fatigue(len(NEURONS.positions))
     for _ in range(visits):
-        fatigue.visit(HERE, TARGET)
+        fatigue.visit(omega(HERE), TARGET)
     return fatigue
 
 
@@ -39,9 +43,9 @@ def test_every_visit_counts_once_and_most_where_the_arm_was():
 
 def test_another_target_is_approached_afresh():
     fatigue = tired(5)
-    fatigue.visit(HERE, ELSEWHERE)
+    fatigue.visit(omega(HERE), ELSEWHERE)
     assert fatigue.visits.sum() == pytest.approx(1.0)
-    fatigue.visit(HERE, TARGET)
+    fatigue.visit(omega(HERE), TARGET)
     assert fatigue.visits.sum() == pytest.approx(1.0)
 
 
@@ -61,7 +65,7 @@ def test_the_longer_way_round_wins_in_the_end():
     weights = PRIOR.copy()
     x, y = NEURONS.positions.T
     weights[:, (np.abs(x - 0.3) < 0.2) & (y > -0.5) & (y < 0.3)] = -1.0
-    ways, fatigue = Ways(NEURONS, FREE), Fatigue(NEURONS)
+    ways, fatigue = Ways(NEURONS, FREE), Fatigue(len(NEURONS.positions))
     synapses = Synapses.of(NEURONS.prior, weights)
     tolls = ways.tolls(synapses, ways.blockage.of(synapses), 6.0)
     near, far = nearest(0.0, 0.43), nearest(0.0, -0.57)
@@ -71,5 +75,5 @@ def test_the_longer_way_round_wins_in_the_end():
 
     assert remaining()[near] < remaining()[far]
     for _ in range(20):
-        fatigue.visit(NEURONS.positions[near], TARGET)
+        fatigue.visit(omega(NEURONS.positions[near]), TARGET)
     assert remaining()[near] > remaining()[far]

@@ -9,7 +9,7 @@ import pytest
 from srnn_config.scene import Obstacle
 from srnn_planner.core.known_obstacles import obstacle_input
 from srnn_planner.core.parameters import NetworkParameters, ObstacleParameters
-from srnn_planner.core.shortest_way import distances
+from srnn_planner.core.shortest_way import distances, relaxed
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synapses import Synapses
 from srnn_planner.core.ways import Ways
@@ -128,5 +128,6 @@ def test_shortest_ways_are_those_of_bellman_and_ford(seed):
         for a, b, step in zip(pre, post, cost, strict=True):
             expected[a] = min(expected[a], step + expected[b])
     first = np.searchsorted(post, np.arange(count + 1))
-    found = distances(first, pre.astype(np.int32), length, tolls, fatigue, start)
-    assert found == pytest.approx(expected)
+    for way in (distances, relaxed):
+        found = way(first, pre.astype(np.int32), length, tolls, fatigue, start)
+        assert found == pytest.approx(expected)

@@ -52,8 +52,10 @@ def fit(points: NDArray[np.float64]) -> Curve:
 
 
 def _polynomial(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    offsets = points[1:] - points[0]
-    return np.vstack([points[:1], _projection(len(points)) @ offsets])
+    coefficients = np.empty((DEGREE + 1, points.shape[1]))
+    coefficients[0] = points[0]
+    coefficients[1:] = _projection(len(points)) @ (points[1:] - points[0])
+    return coefficients
 
 
 def _powers(s: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Trajectories into spike trains: Poisson processes driven by responsibilities."""
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,7 +20,10 @@ def spike_probability(
     Trajectories").
     """
     rate = np.clip(parameters.rate_scale * responsibilities, 0.0, parameters.rate_limit)
-    below = sum(rate**n / math.factorial(n) for n in range(parameters.spike_count))
+    # The sum of rate^n / n! over n < spike_count, without powers.
+    below = np.ones_like(rate)
+    for n in range(parameters.spike_count - 1, 0, -1):
+        below = 1.0 + rate / n * below
     probability = 1.0 - np.exp(-rate) * below
     return np.asarray(np.where(probability < RESOLUTION, 0.0, probability))
 

@@ -4,8 +4,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_planner.core.state_neurons import StateNeurons
-
 
 class Fatigue:
     """Counts the visits to every neuron while one way point attracts.
@@ -20,18 +18,19 @@ class Fatigue:
 
     """
 
-    def __init__(self, neurons: StateNeurons) -> None:
-        """Begin rested."""
-        self.visits = np.zeros(len(neurons.positions))
-        self._neurons = neurons
+    def __init__(self, count: int) -> None:
+        """Begin with so many rested neurons."""
+        self.visits = np.zeros(count)
         self._target = b''
 
-    def visit(self, position: NDArray[np.float64], target: NDArray[np.float64]) -> None:
-        """Count a visit to `position` (d,) on the way to `target` (d,), both in units.
+    def visit(
+        self, responsibilities: NDArray[np.float64], target: NDArray[np.float64]
+    ) -> None:
+        """Count a visit, on the way to `target` (d,), to where these (K,) are responsible.
 
         Another target than before: all earlier visits are forgotten.
         """
         if target.tobytes() != self._target:
             self._target = target.tobytes()
             self.visits = np.zeros_like(self.visits)
-        self.visits = self.visits + self._neurons.responsibilities(position[None])[0]
+        self.visits = self.visits + responsibilities

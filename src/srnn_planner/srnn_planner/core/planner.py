@@ -16,6 +16,7 @@ from srnn_planner.core.fatigue import Fatigue
 from srnn_planner.core.graze import graze
 from srnn_planner.core.grid_mean import GridMean
 from srnn_planner.core.known_obstacles import obstacle_input
+from srnn_planner.core.longest_step import longest_steps
 from srnn_planner.core.parameters import (
     ModelParameters,
     PlanningParameters,
@@ -129,7 +130,7 @@ class SegmentPlanner:
         self._sampler = Sampler(self.neurons, bias, planning.context.amplitude)
         self._ways = Ways(self.neurons, bias)
         self._believe()
-        self._fatigue = Fatigue(self.neurons)
+        self._fatigue = Fatigue(model.network.neurons)
         self._centres: dict[bytes, NDArray[np.float64]] = {}
 
     def warm_up(self) -> None:
@@ -138,7 +139,7 @@ class SegmentPlanner:
         rest = Motion(np.zeros(self._dimensions), np.zeros(self._dimensions))
         self.plan(PlanRequest(rest.position, rest, np.full(self._dimensions, 0.5), 0.1))
         self._centres.clear()
-        self._fatigue = Fatigue(self.neurons)
+        self._fatigue = Fatigue(self.model.network.neurons)
         self._rng = kept
 
     def use_weights(self, learned: LearnedWeights) -> None:
@@ -155,11 +156,12 @@ class SegmentPlanner:
         """Plan one segment."""
         origin = request.measured if request.retreat_to is None else request.retreat_to
         position = self.model.workspace.to_units(origin)
+        here = self.neurons.responsibilities(position[None])[0]
         if request.retreat_to is None and not request.again:
             # After a contact it is learning that shows the way out.
-            self._fatigue.visit(position, request.target)
+            self._fatigue.visit(here, request.target)
         goal = self._goal(request.target)
-        paths, valid, spikes = self._sample(position, goal.context)
+        paths, valid, spikes = self._sample(here, goal.context)
         kept = np.zeros(len(paths), dtype=bool)
         if valid.mean() < self.planning.sampling.valid_share:
             return Plan(None, paths, kept, spikes)
@@ -172,21 +174,24 @@ class SegmentPlanner:
         return Plan(trajectory, paths, kept, spikes)
 
     def _sample(
-        self, position: NDArray[np.float64], context: ContextPopulation
+        self, here: NDArray[np.float64], context: ContextPopulation
     ) -> tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.uint16]]:
-        """Return decoded paths (S, T, d) from a position (d,), which are valid (S,), spikes."""
+        """Run the network from where neurons are responsible (K,).
+
+        Returns:
+            Decoded paths (S, T, d), which of them are valid (S,), and spikes (T, K).
+
+        """
         sampling = self.planning.sampling
-        start = self.neurons.responsibilities(position[None])[0]
         history = draw_history(
-            spike_probability(start, self.model.learning), sampling.samples,
+            spike_probability(here, self.model.learning), sampling.samples,
             self.model.network.tau, self._rng,
         )  # fmt: skip
         spikes, activity = self._sampler.sample(
             context, history, seeds(self._rng, sampling.samples)
         )
         paths, valid = decode(activity, self._window)
-        squared = (np.diff(paths, axis=1) ** 2).sum(axis=2).max(axis=1)
-        return paths, valid & (squared <= sampling.step_max**2), spikes
+        return paths, valid & (longest_steps(paths) <= sampling.step_max), spikes
 
     def _believe(self) -> None:
         """Run with the weights, and find out what they say of where the arm can go."""

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_planner.core.mode_means import mode_means
 from srnn_planner.core.nearest_directions import nearest_directions
 from srnn_planner.core.parameters import SelectionParameters
 
@@ -95,7 +96,7 @@ def best_mode(
     """
     modes = nearest_directions(paths[:, -1] - paths[:, 0], _count(len(paths), share))
     kept = np.zeros(len(paths), dtype=bool)
-    kept[modes[_cheapest(paths[modes].mean(axis=1), cost)]] = True
+    kept[modes[_cheapest(mode_means(paths, modes), cost)]] = True
     return kept
 
 

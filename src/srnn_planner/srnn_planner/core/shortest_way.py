@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shortest ways in a directed graph, compiled."""
+"""Shortest ways in a directed graph: compiled, and the plain NumPy reference."""
 
 import heapq
 
@@ -26,17 +26,34 @@ def distances(first, pre, length, tolls, fatigue, start):
     distance = start.copy()
     queue = [(0.0, 0)]
     queue.clear()
-    for k in range(len(start)):
-        if start[k] < np.inf:
-            heapq.heappush(queue, (start[k], k))
+    for i in range(len(start)):
+        if start[i] < np.inf:
+            heapq.heappush(queue, (start[i], i))
     while len(queue) > 0:
         d, i = heapq.heappop(queue)
         if d > distance[i]:
             continue
         for e in range(first[i], first[i + 1]):
-            k = np.int64(pre[e])
+            k = int(pre[e])
             total = d + length[e] * (tolls[e] + fatigue[k])
             if total < distance[k]:
                 distance[k] = total
                 heapq.heappush(queue, (total, k))
     return distance
+
+
+def relaxed(first, pre, length, tolls, fatigue, start):
+    """Return what `distances` returns: all edges at once, until none shortens a way any more."""
+    distance = start.copy()
+    post = np.repeat(np.arange(len(start)), np.diff(first))
+    # Sorted by where they begin, edges from one node are side by side.
+    order = np.argsort(pre, kind='stable')
+    cost = (length * (tolls + fatigue[pre]))[order]
+    target, begins = post[order], np.searchsorted(pre[order], np.arange(len(start)))
+    leaving = np.flatnonzero(np.bincount(pre, minlength=len(start)))
+    while True:
+        ways = np.minimum.reduceat(cost + distance[target], begins[leaving])
+        shorter = np.minimum(distance[leaving], ways)
+        if np.array_equal(shorter, distance[leaving]):
+            return distance
+        distance[leaving] = shorter

@@ -2,6 +2,8 @@
 """A path in space into a segment in time that joins the arm's motion smoothly."""
 
 from dataclasses import dataclass
+from functools import lru_cache
+import math
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,8 +50,12 @@ def join(
     path: NDArray[np.float64], start: NDArray[np.float64], blend_steps: float
 ) -> NDArray[np.float64]:
     """Return the path (T, d) with its offset to `start` (d,) blended out over its steps."""
-    decay = np.exp(-np.arange(len(path)) / blend_steps)
-    return np.asarray(path + decay[:, None] * (start - path[0]))
+    return np.asarray(path + _decay(len(path), blend_steps) * (start - path[0]))
+
+
+@lru_cache(maxsize=8)
+def _decay(steps: int, blend_steps: float) -> NDArray[np.float64]:
+    return np.asarray(np.exp(-np.arange(steps) / blend_steps)[:, None])
 
 
 def time_path(
@@ -74,7 +80,7 @@ def time_path(
     for attempt in range(20):
         caution = 0.8**attempt
         trajectory = _at_speed(curve, len(path), start, velocity, caution, parameters)
-        peak = np.linalg.norm(trajectory.accelerations, axis=1).max()
+        peak = np.sqrt((trajectory.accelerations**2).sum(axis=1).max())
         if peak <= parameters.acceleration_max:
             return trajectory
     return None
@@ -94,8 +100,8 @@ def _at_speed(
     speed = min(caution * velocity, length / p.duration_min)
     tangent = curve.coefficients[1] / length
     # Faster than this cannot be slowed down within the path; the turn takes the rest.
-    fastest = float(np.sqrt(speed**2 + acceleration * length))
-    first = float(np.clip(caution * (start.velocity @ tangent), 0.0, fastest))
+    fastest = math.sqrt(speed**2 + acceleration * length)
+    first = min(max(caution * float(start.velocity @ tangent), 0.0), fastest)
     ramp = abs(speed - first) / acceleration
     ramp_length = 0.5 * (speed + first) * ramp
     if ramp_length > 0.8 * length:
@@ -103,19 +109,24 @@ def _at_speed(
         ramp = 2.0 * length / (speed + first)
         ramp_length = length
     duration = ramp + (length - ramp_length) / speed
-    t = np.linspace(0.0, duration, knots)
+    t = duration * _shares(knots)
     s, s_dot, s_ddot = _profile(t, first, speed, ramp, length)
     positions, d1, d2 = curve.at(s)
     velocities = d1 * s_dot[:, None]
     accelerations = d2 * s_dot[:, None] ** 2 + d1 * s_ddot[:, None]
     turn = start.velocity - velocities[0]
-    h, h_dot, h_ddot = _turn_blend(t, float(np.linalg.norm(turn)), duration, acceleration)
+    h, h_dot, h_ddot = _turn_blend(t, math.sqrt(float(turn @ turn)), duration, acceleration)
     return Trajectory(
         times=t,
         positions=positions + h[:, None] * turn,
         velocities=velocities + h_dot[:, None] * turn,
         accelerations=accelerations + h_ddot[:, None] * turn,
     )
+
+
+@lru_cache(maxsize=8)
+def _shares(knots: int) -> NDArray[np.float64]:
+    return np.linspace(0.0, 1.0, knots)
 
 
 def _profile(
@@ -135,6 +146,6 @@ def _turn_blend(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Blend h(t) = t (1 - t/b)^2 with h(0) = 0, h'(0) = 1, gone with h' at b."""
     b = min(duration, max(0.1, 4.0 * change / acceleration))
-    x = np.clip(1.0 - t / b, 0.0, 1.0)
     ratio = t / b
+    x = np.maximum(1.0 - ratio, 0.0)
     return t * x**2, x**2 - 2.0 * ratio * x, np.where(x > 0.0, (6.0 * ratio - 4.0) / b, 0.0)
