@@ -34,7 +34,8 @@ def distances(first, pre, length, tolls, fatigue, start):
         if d > distance[i]:
             continue
         for e in range(first[i], first[i + 1]):
-            k = int(pre[e])
+            # A sum has 64 bits, as the other numbers of nodes in the queue.
+            k = 0 + pre[e]
             total = d + length[e] * (tolls[e] + fatigue[k])
             if total < distance[k]:
                 distance[k] = total
