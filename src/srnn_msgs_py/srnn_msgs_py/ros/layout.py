@@ -14,7 +14,7 @@ from srnn_msgs_py.errors import MessageError
 
 MAX_DIMENSIONS = 32
 MAX_VALUES = 10_201**2
-"""Most values of an array: the weights of 101 x 101 neurons; more are refused uncopied."""
+"""Most values of an array, a third of them learned synapses; more are refused uncopied."""
 
 MAX_WHOLE = 2**63 - 1
 _MAX_DIGITS = len(str(MAX_WHOLE))
