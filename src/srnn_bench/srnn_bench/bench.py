@@ -20,6 +20,7 @@ from srnn_bench.navigation_task import navigation_task
 from srnn_bench.network_contenders import NETWORK_CONTENDERS, NetworkSetting
 from srnn_bench.network_table import (
     NETWORK_COLUMNS,
+    SLOW_ROUNDS,
     TURN,
     NetworkRow,
     measure_network,
@@ -38,7 +39,14 @@ REPEATS = 20
 _NETWORK = """\
 One segment is planned: {samples} movements of {steps} steps of {neurons} state neurons, all on one
 thread. The rows take turns of {turn} runs, so that all see the same machine, and the run before
-each turn does not count; p50 and p95 of {repeats} rounds.
+each turn does not count; p50 and p95 of {repeats} rounds. Where a run takes seconds, a turn is one
+run, in every {slow} rounds.
+
+A simulator can run all samples *at once*, as one network of {samples} times {neurons} neurons, or
+*one after another*, as one network of {neurons}: the plain way. Of simulators p50 and p95 count
+the {steps} steps alone, which favours them; of the rows above them they count all. *Whole call* is
+what a caller waits for, with history, state set back, run prepared, program started, spikes read.
+*Times the sampler* and *times whole planning* are ratios of the first column.
 Building is what comes before the first result: process, code, synapses, one run; code that an
 earlier run has compiled and kept is used.\
 """
@@ -102,7 +110,7 @@ class Results:
         if self.network:
             text = _NETWORK.format(
                 samples=sampling.samples, steps=sampling.steps, repeats=asked.repeats,
-                neurons=self.setting.model.network.neurons, turn=TURN,
+                neurons=self.setting.model.network.neurons, turn=TURN, slow=SLOW_ROUNDS,
             )  # fmt: skip
             cells = network_cells(self.network)
             parts += ['## The same network', text, table(NETWORK_COLUMNS, cells)]

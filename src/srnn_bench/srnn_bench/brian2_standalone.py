@@ -9,6 +9,7 @@ import numpy as np
 
 from srnn_bench.brian2_model import build, counts, forced
 from srnn_bench.network_task import NetworkRun, NetworkTask
+from srnn_bench.one_after_another import OneAfterAnother
 
 
 class Brian2Standalone:
@@ -36,3 +37,11 @@ class Brian2Standalone:
         )  # fmt: skip
         steps = np.rint(model.spikes.t / ms).astype(np.int64)
         return NetworkRun(float(b2.device._last_run_time), counts(task, steps, model.spikes.i))
+
+
+class Brian2StandaloneOneAfterAnother(OneAfterAnother):
+    """A program for one sample, started for each."""
+
+    def __init__(self, task: NetworkTask) -> None:
+        """Build and compile the program."""
+        super().__init__(Brian2Standalone(task.one_sample()), task.samples)

@@ -28,6 +28,7 @@ class Contender(Generic[T]):
         arguments: those of its class, from the task.
         peer: library that it needs, None for none.
         tools: programs that it needs.
+        slow: one run of it takes seconds.
 
     """
 
@@ -39,6 +40,7 @@ class Contender(Generic[T]):
     arguments: Callable[[T], tuple[Any, ...]]
     peer: Peer | None = None
     tools: tuple[str, ...] = ()
+    slow: bool = False
 
     def absence(self) -> str:
         """Return why it cannot take part, '' if it can."""

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_bench.network_task import NetworkRun, NetworkTask
+from srnn_bench.one_after_another import OneAfterAnother
 
 _CERTAIN = 1e30
 """Rate at which a neuron spikes at once, whatever its potential [Hz]."""
@@ -112,6 +113,14 @@ class NestNetwork:
     @staticmethod
     def _part(nodes: Any, number: int, size: int) -> Any:
         return nodes[number * size : (number + 1) * size]
+
+
+class NestOneAfterAnother(OneAfterAnother):
+    """A network of one sample, run for each after the last one has died away."""
+
+    def __init__(self, task: NetworkTask) -> None:
+        """Build the network of one sample."""
+        super().__init__(NestNetwork(task.one_sample()), task.samples)
 
 
 def _connect(pre: Any, post: Any, weights: NDArray[np.floating], delay: float) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The network that everybody runs: what is simulated when one segment is planned."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -44,6 +44,10 @@ class NetworkTask:
     def steps(self) -> int:
         """Number of steps T."""
         return len(self.context.spike_probability)
+
+    def one_sample(self) -> 'NetworkTask':
+        """Return the same network, to be run once."""
+        return replace(self, samples=1)
 
     def history(self, rng: np.random.Generator) -> NDArray[np.int32]:
         """Draw the step of the last spike of each neuron before 0 (S, K)."""

@@ -18,7 +18,12 @@ ONE_THREAD = dict.fromkeys(
 
 
 class Remote:
-    """Builds an object in another process and runs it there; what it takes is measured there."""
+    """Builds an object in another process and runs it there; what it takes is measured there.
+
+    Attributes:
+        seconds: what the last call took, without the way to the process and back.
+
+    """
 
     def __init__(
         self, module: str, name: str, arguments: tuple[Any, ...], apart: Path | None = None
@@ -39,6 +44,7 @@ class Remote:
         if apart is not None:
             paths = [str(apart), environ.get('PYTHONPATH', '')]
             environ['PYTHONPATH'] = os.pathsep.join(filter(None, paths))
+        self.seconds = 0.0
         self._process = subprocess.Popen(
             [sys.executable, '-m', 'srnn_bench.worker'], env=environ,
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
@@ -74,7 +80,7 @@ class Remote:
         try:
             pickle.dump(request, self._process.stdin)
             self._process.stdin.flush()
-            done, result = pickle.load(self._process.stdout)
+            done, result, self.seconds = pickle.load(self._process.stdout)
         except (BrokenPipeError, EOFError, pickle.UnpicklingError) as error:
             raise PeerError(f'its process has ended with code {self._process.wait()}') from error
         if not done:

@@ -8,6 +8,7 @@ from importlib import import_module
 import os
 import pickle
 import sys
+from time import perf_counter
 from typing import Any, BinaryIO
 
 
@@ -15,7 +16,8 @@ def serve(requests: BinaryIO, replies: BinaryIO) -> None:
     """Build what the first request says, then run it for each further one.
 
     The first request is (module, class, arguments), all others are the arguments of `run`.
-    A reply is (True, result) or (False, what went wrong); the first has the result None.
+    A reply is (True, result, seconds that it took) or (False, what went wrong, seconds); the
+    first has the result None.
     """
     module, name, arguments = pickle.load(requests)
     built: list[Any] = []
@@ -33,14 +35,14 @@ def serve(requests: BinaryIO, replies: BinaryIO) -> None:
 
 
 def _reply(replies: BinaryIO, call: Any, arguments: tuple[Any, ...]) -> None:
-    reply: tuple[bool, Any]
+    began = perf_counter()
     try:
-        reply = True, call(*arguments)
+        done, result = True, call(*arguments)
     # Whatever a peer raises becomes a line of the table.
     except Exception as error:
         lines = str(error).strip().splitlines() or ['']
-        reply = False, f'{type(error).__name__}: {lines[-1]}'
-    pickle.dump(reply, replies)
+        done, result = False, f'{type(error).__name__}: {lines[-1]}'
+    pickle.dump((done, result, perf_counter() - began), replies)
     replies.flush()
 
 

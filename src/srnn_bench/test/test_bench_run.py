@@ -11,11 +11,12 @@ from srnn_bench.bench import NAMES, Asked, run_bench
 from srnn_bench.contender import Contender, started
 from srnn_bench.errors import BenchError, PeerError
 from srnn_bench.navigation_contenders import NAVIGATION_CONTENDERS
-from srnn_bench.network_contenders import NETWORK_CONTENDERS
-from srnn_bench.network_table import TURN
+from srnn_bench.network_contenders import NETWORK_CONTENDERS, NetworkSetting
+from srnn_bench.network_table import SLOW_ROUNDS, TURN, measure_network
 from srnn_bench.peers import NOT_INSTALLED, Peer
 from srnn_bench.remote import Remote
 from srnn_config.scene import load_scene
+from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 
 SCENE = load_scene(Path(__file__).parents[3] / 'config' / 'scenes' / 'four_waypoints.yaml')
 FAST = ('sampler', 'planner', 'numpy', 'known', 'a-star', 'mppi')
@@ -23,6 +24,7 @@ FAST = ('sampler', 'planner', 'numpy', 'known', 'a-star', 'mppi')
 
 TALKATIVE = """
 import os
+import time
 print('imported')
 class Runner:
     def __init__(self, offset):
@@ -32,6 +34,7 @@ class Runner:
         print('running')
         if number == 2:
             os._exit(5)
+        time.sleep(0.01 * number)
         return self.offset / number
 """
 
@@ -67,11 +70,16 @@ def test_times_are_positive_and_ratios_are_those_of_the_medians(without_peers):
     document = json.loads(json.dumps(without_peers.document(), allow_nan=False))
     measured = {row['name']: row for row in document['network'] if not row['failure']}
     assert set(measured) == {'sampler', 'planner', 'numpy'}
-    sampler = np.median(measured['sampler']['milliseconds'])
+    sampler, planner = (
+        np.median(measured[name]['milliseconds']) for name in ('sampler', 'planner')
+    )
     for row in measured.values():
         assert len(row['milliseconds']) == 2 * TURN
         assert min(row['milliseconds']) > 0.0
+        assert len(row['call_ms']) == 2 * TURN
+        assert (np.array(row['call_ms']) > row['milliseconds']).all()
         assert row['ratio'] == pytest.approx(np.median(row['milliseconds']) / sampler)
+        assert row['ratio_planning'] == pytest.approx(np.median(row['milliseconds']) / planner)
         assert 100.0 < np.mean(row['spikes_per_movement']) < 150.0
     assert measured['numpy']['ratio'] > 1.0
 
@@ -98,10 +106,20 @@ def test_only_the_rows_asked_for_are_measured():
     assert 'The same network' not in results.markdown()
 
 
+def test_slow_rows_have_a_single_run_in_some_of_the_rounds():
+    slow = Contender(
+        'slow', 'Slow', '', 'numpy_network', 'NumpyNetwork', lambda setting: (setting.task,),
+        slow=True,
+    )  # fmt: skip
+    setting = NetworkSetting(ModelParameters(), PlanningParameters(), 0)
+    (row,) = measure_network([slow], setting, SLOW_ROUNDS + 1, say)
+    assert len(row.milliseconds) == len(row.calls) == len(row.spikes) == 2
+
+
 def test_an_unknown_row_is_refused_with_all_there_are():
     with pytest.raises(BenchError, match=r"unknown row 'brain2'; rows: .*nest.*mppi"):
         Asked(SCENE, 1, 0, ('numpy', 'brain2'), '')
-    assert len(set(NAMES)) == len(NAMES) == 12
+    assert len(set(NAMES)) == len(NAMES) == 16
 
 
 @pytest.fixture
@@ -117,6 +135,12 @@ def test_what_a_peer_prints_or_raises_does_not_get_between_replies(talkative):
     with pytest.raises(PeerError, match='ZeroDivisionError: float division by zero'):
         talkative.run(0)
     assert talkative.run(1) == 6.0
+
+
+def test_what_a_call_took_is_measured_in_its_process(talkative):
+    for number in (1, 3):
+        talkative.run(number)
+        assert talkative.seconds >= 0.01 * number
 
 
 def test_a_peer_whose_process_ends_is_an_error(talkative):

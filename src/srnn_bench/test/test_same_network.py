@@ -13,7 +13,9 @@ from threadpoolctl import threadpool_limits
 
 from srnn_bench.compiled_network import CompiledSampler, WholePlanning
 from srnn_bench.network_contenders import NETWORK_CONTENDERS, NetworkSetting
+from srnn_bench.network_task import NetworkRun
 from srnn_bench.numpy_network import NumpyNetwork
+from srnn_bench.one_after_another import OneAfterAnother
 from srnn_bench.remote import Remote
 from srnn_planner.core import sampling
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
@@ -89,6 +91,27 @@ def test_the_compiled_sampler_draws_from_the_distribution_of_the_reference(refer
     assert (deviation(found, reference) < BOUND).all()
 
 
+def test_one_sample_after_another_draws_from_the_same_distribution(reference):
+    found = figures(OneAfterAnother(NumpyNetwork(TASK.one_sample()), TASK.samples), 0)
+    assert (deviation(found, reference) < BOUND).all()
+
+
+def test_one_sample_after_another_has_other_random_numbers_for_each_sample_and_seed():
+    asked = []
+
+    class Recorder:
+        def run(self, seed):
+            asked.append(seed)
+            return NetworkRun(0.25, np.eye(2, dtype=np.int64))
+
+    runs = [OneAfterAnother(Recorder(), 40).run(seed) for seed in range(50)]
+    assert len(set(asked)) == len(asked) == 40 * 50
+    assert 0 <= min(asked) <= max(asked) < 2**31
+    for run in runs:
+        assert run.seconds == 10.0
+        assert (run.spikes == 40 * np.eye(2)).all()
+
+
 def test_whole_planning_runs_the_same_network(reference):
     """Its way point has context neurons of its own, which pull to another place."""
     found = figures(WholePlanning(SETTING.model, SETTING.planning, 0), 0)
@@ -102,6 +125,9 @@ def test_whole_planning_runs_the_same_network(reference):
         'brian2-numpy',
         pytest.param('brian2-cython', marks=pytest.mark.slow),
         pytest.param('brian2-cpp', marks=pytest.mark.slow),
+        pytest.param('brian2-numpy-one', marks=pytest.mark.slow),
+        pytest.param('brian2-cython-one', marks=pytest.mark.slow),
+        pytest.param('brian2-cpp-one', marks=pytest.mark.slow),
     ],
 )
 def test_brian2_draws_from_the_distribution_of_the_reference(name, start, reference):
@@ -109,10 +135,11 @@ def test_brian2_draws_from_the_distribution_of_the_reference(name, start, refere
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize('name', ['nest', 'nest-one'])
 def test_nest_draws_from_its_law_of_spiking_and_in_all_else_from_the_reference(
-    start, reference, monkeypatch
+    name, start, reference, monkeypatch
 ):
-    nest = figures(start('nest'), 0)
+    nest = figures(start(name), 0)
     monkeypatch.setattr(sampling, 'activation', spikes_without_limit)
     assert (deviation(nest, figures(NumpyNetwork(TASK), 1000)) < BOUND).all()
     # That law is another one, as the table says: the comparison tells them apart.
