@@ -2,6 +2,7 @@
 """Times one plan and one update: whole, in parts, against NumPy and against a lower bound.
 
 Run: .venv/bin/python bench/kernels.py [--repeats N] [--steps T] [--json FILE] [--out FILE]
+                                       [--picture FILE]
 
 Times depend on the machine; the ratios are taken in one run, calls in turn.
 """
@@ -15,6 +16,7 @@ from pathlib import Path
 from in_numpy import PlainMean, numpy_only
 import lower_bound
 import numpy as np
+from planning_picture import draw
 from threadpoolctl import threadpool_limits
 from timing import Times, machine, times_ms
 
@@ -186,6 +188,7 @@ def main() -> None:
     parser.add_argument('--steps', type=int, default=40, help='steps of a segment (default 40)')
     parser.add_argument('--json', type=Path, metavar='FILE', help='write the figures as JSON')
     parser.add_argument('--out', type=Path, metavar='FILE', help='write the table')
+    parser.add_argument('--picture', type=Path, metavar='FILE', help='where it is drawn')
     options = parser.parse_args()
     calls = {**PlanningCalls(options.steps).calls(), **update_calls(options.steps)}
     with threadpool_limits(1):
@@ -195,6 +198,8 @@ def main() -> None:
     print(text)
     if options.out:
         options.out.write_text(text + '\n', encoding='utf-8')
+    if options.picture:
+        draw(times, options.picture)
     if options.json:
         figures = {name: asdict(t) for name, t in times.items()}
         options.json.write_text(json.dumps(figures, indent=2) + '\n', encoding='utf-8')

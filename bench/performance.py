@@ -14,7 +14,8 @@ import subprocess
 import sys
 import tempfile
 
-PAGE = Path(__file__).parents[1] / 'docs/performance.md'
+DOCS = Path(__file__).parents[1] / 'docs'
+PAGE = DOCS / 'performance.md'
 HERE = Path(__file__).parent
 MARK = '<!-- {}: {} -->'
 """A table begins and ends with a line like this."""
@@ -29,8 +30,15 @@ class Part:
 
 
 PARTS = (
-    Part('planning', (str(HERE / 'kernels.py'), '--repeats', '1000')),
+    Part(
+        'planning',
+        (
+            str(HERE / 'kernels.py'), '--repeats', '1000',
+            '--picture', str(DOCS / 'performance.png'),
+        ),
+    ),
     Part('planning-30', (str(HERE / 'kernels.py'), '--repeats', '1000', '--steps', '30')),
+    Part('scale', (str(HERE / 'scale.py'), '--picture', str(DOCS / 'scale.png'))),
     Part('latency', (str(HERE / 'latency.py'), '--runs', '5', '--segments', '8')),
     Part('peers', ('-m', 'srnn_bringup.cli', 'bench')),
 )
