@@ -113,7 +113,7 @@ def run(given: Setting, scene: BallScene, segments: int, seed: int) -> Trial:
             request = PlanRequest(tip, trajectory.end, tip, VELOCITY, reach=reach)
             in_a_row = 0
         if learner.learn(planned, executed).updated:
-            planner.use_weights(learner.weights)
+            planner.use_weights(learner.synapses.learned)
         if np.linalg.norm(tip - scene.waypoints[target]) < REACH:
             trial.reached += 1
             trial.behind += target == 1

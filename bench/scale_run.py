@@ -27,7 +27,7 @@ from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.planner import Plan, PlanRequest, SegmentPlanner
 
-SMALLEST = 5
+SMALLEST = 7
 """Neurons a side of the network whose kernels are loaded before memory is measured."""
 
 LOOKS = 20
@@ -88,12 +88,12 @@ class Network:
 
     def take(self) -> None:
         """Plan with the learned weights from now on."""
-        self.planner.use_weights(self.learner.weights)
+        self.planner.use_weights(self.learner.synapses.learned)
 
 
 def wire_bytes(learner: Learner) -> int:
     """Return the length of the message that carries the learned weights."""
-    return len(serialize_message(to_msg(WeightsUpdate(1, 1, learner.weights))))
+    return len(serialize_message(to_msg(WeightsUpdate(1, 1, learner.synapses.learned))))
 
 
 class Movement(NamedTuple):

@@ -26,6 +26,9 @@ STOP = 0.5
 NEAR = 3.5
 """A near target is so many neurons away along each of the first two axes."""
 
+BEGINNING = {2: 7.6, 3: 13.0}
+"""Mean number of neurons that are active when a segment begins, by dimensions."""
+
 FINEST = 2.0**-20
 """A weight that differs less from those of distant neurons counts as one of them."""
 
@@ -93,7 +96,8 @@ def setting(case: Case) -> Setting:
 
     Neurons stay as far apart in metres, so that the workspace grows with their number. Every
     length in units of the workspace shrinks as the units grow; what is in metres or steps stays.
-    Then the fan-out of a neuron, the bump and its pace in neurons are the same.
+    Then the fan-out of a neuron and the bump are the same. What must change is how seldom a
+    neuron spikes by chance, since all of them might: see `_quiet`.
     """
     name = FILES[case.dimensions]
     file = build(NetworkFile, read_yaml(CONFIG / name), name)
@@ -104,8 +108,11 @@ def setting(case: Case) -> Setting:
         replace(
             model,
             workspace=replace(model.workspace, half_extent=model.workspace.half_extent / s),
-            network=replace(
-                model.network, neurons_per_dimension=case.side, sigma=s * model.network.sigma
+            network=_quiet(
+                replace(
+                    model.network, neurons_per_dimension=case.side, sigma=s * model.network.sigma
+                ),
+                case.neurons / model.network.neurons,
             ),
             learning=replace(
                 model.learning, horizon=s * model.learning.horizon, replays=case.replays
@@ -122,6 +129,20 @@ def setting(case: Case) -> Setting:
             selection=replace(p.selection, caution=s * p.selection.caution),
         ),
     )  # fmt: skip
+
+
+def _quiet(network: NetworkParameters, times: float) -> NetworkParameters:
+    """Return a network of so many times the neurons in which no more of them spike by chance.
+
+    While the bump begins, it inhibits all others by the offset of each active neuron alone. A
+    steeper activation that reaches its limit at the same input makes them less likely to spike.
+    """
+    full = (network.threshold + np.log(network.spike_probability_max)) / network.slope
+    below = full + BEGINNING[network.dimensions] * network.weight_offset
+    steeper = max(float(np.log(times) / below), 0.0)
+    return replace(
+        network, slope=network.slope + steeper, threshold=network.threshold + steeper * full
+    )
 
 
 def fan_out(network: NetworkParameters) -> int:

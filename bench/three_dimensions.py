@@ -5,7 +5,7 @@ Run: .venv/bin/python bench/three_dimensions.py [--trials N] [--side N] [--seed 
 
 Trials of 50 plans, each with way points and a ball of its own. A trial has learned if the way
 point behind the ball was reached three times at least, and at most one of the last third of
-the segments touched.
+the segments touched. Rows with the name of a parameter have the value of two dimensions there.
 """
 
 import argparse
@@ -50,48 +50,56 @@ def learned(trial: Trial) -> bool:
     return trial.behind >= BEHIND and late <= LATE
 
 
-def rows(side: int, trials: int, seed: int) -> Iterator[str]:
-    """Yield the lines of both tables."""
-    yield '| dimensions | spikes | least, most | valid | least of a plan | pace | least |'
-    yield f'|{"---|" * 7}'
-    settings = {d: setting(Case(d, side)) for d in (2, 3)}
-    scenes = {
-        d: [random_scene(d, given.model.workspace.half_extent, seed + n) for n in range(trials)]
-        for d, given in settings.items()
-    }
-    for d, given in settings.items():
-        spikes, valid, pace = np.array(movements(given, scenes[d], seed)).T
-        spikes /= given.planning.sampling.samples
-        yield (
-            f'| {d} | {spikes.mean():.0f} | {spikes.min():.0f}, {spikes.max():.0f} | '
-            f'{valid.mean():.1%} | {valid.min():.0%} | {pace.mean():.2f} | {pace.min():.2f} |'
-        )
-    yield ''
-    yield (
-        '| dimensions | signal | learned | reached | behind the ball | touches | updates | '
-        'invalid plans | covered |'
+def undone(given: Setting, like: Setting) -> Iterator[tuple[str, Setting]]:
+    """Yield each parameter that differs from another network, and a setting with that one."""
+    for part in ('network', 'learning'):
+        mine, other = getattr(given.model, part), getattr(like.model, part)
+        for name, value in vars(other).items():
+            if name != 'dimensions' and value != getattr(mine, name):
+                changed = replace(mine, **{name: value})
+                yield f'`{name}` {value:g}', replace(
+                    given, model=replace(given.model, **{part: changed})
+                )
+
+
+def row(name: str, given: Setting, scenes: list[BallScene], seed: int) -> str:
+    """Return the line of a setting: how it moves, and what comes of its trials."""
+    spikes, valid, pace = np.array(movements(given, scenes, seed)).T
+    spikes /= given.planning.sampling.samples
+    done = [run(given, scene, SEGMENTS, seed + n) for n, scene in enumerate(scenes)]
+    covered = 1e3 * np.mean(np.concatenate([trial.covered for trial in done]))
+    behind, touches = np.mean([(t.behind, len(t.touched)) for t in done], axis=0)
+    return (
+        f'| {name} | {spikes.mean():.0f} ({spikes.min():.0f} to {spikes.max():.0f}) | '
+        f'{valid.mean():.1%} ({valid.min():.0%}) | {pace.mean():.1f} ({pace.min():.1f}) | '
+        f'{sum(map(learned, done))} of {len(done)} | {behind:.1f} | {touches:.1f} | '
+        f'{covered:.0f} mm |'
     )
-    yield f'|{"---|" * 9}'
-    for d, given in settings.items():
-        for signal in (given.model.learning.signal, 'none'):
-            one = with_signal(given, signal)
-            done = [run(one, s, SEGMENTS, seed + n) for n, s in enumerate(scenes[d])]
-            covered = 1e3 * np.mean(np.concatenate([t.covered for t in done]))
-            counts = np.mean(
-                [(t.reached, t.behind, len(t.touched), t.updates, t.invalid) for t in done], axis=0
-            )
-            cells = ' | '.join(f'{count:.1f}' for count in counts)
-            good = sum(map(learned, done))
-            yield f'| {d} | {signal} | {good} of {trials} | {cells} | {covered:.0f} mm |'
+
+
+def rows(side: int, trials: int, seed: int) -> Iterator[str]:
+    """Yield the lines of the table."""
+    yield '| network | spikes | valid | pace | learned | behind the ball | touches | covered |'
+    yield f'|{"---|" * 8}'
+    plane, space = (setting(Case(d, side)) for d in (2, 3))
+    cases = [
+        ('2-D', plane), ('2-D, nothing learned', with_signal(plane, 'none')),
+        ('3-D', space), ('3-D, nothing learned', with_signal(space, 'none')),
+        *((f'3-D, {name}', one) for name, one in undone(space, plane)),
+    ]  # fmt: skip
+    for name, given in cases:
+        d, extent = given.model.network.dimensions, given.model.workspace.half_extent
+        scenes = [random_scene(d, extent, seed + n) for n in range(trials)]
+        yield row(name, given, scenes, seed)
 
 
 def main() -> None:
-    """Print the tables, and write them if asked."""
+    """Print the table, and write them if asked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--trials', type=int, default=40, help='of each row, default: 40')
     parser.add_argument('--side', type=int, default=11, help='neurons a side, default: 11')
     parser.add_argument('--seed', type=int, default=0, help='of the first trial, default: 0')
-    parser.add_argument('--out', type=Path, metavar='FILE', help='where the tables are written')
+    parser.add_argument('--out', type=Path, metavar='FILE', help='where the table is written')
     choice = parser.parse_args()
     lines = []
     for line in rows(choice.side, choice.trials, choice.seed):

@@ -8,12 +8,13 @@ import sys
 import numpy as np
 import pytest
 
+from srnn_planner.core.encoding import spike_probability
 from srnn_planner.core.state_neurons import StateNeurons
 
 sys.path.insert(0, str(Path(__file__).parents[1] / 'bench'))
 from scale_fit import power_law
 from scale_run import Measured, Times, measure
-from scale_setting import Case, fan_out, setting
+from scale_setting import BEGINNING, Case, fan_out, setting
 from scale_table import Found, goals, table
 
 
@@ -39,6 +40,29 @@ def test_a_neuron_and_a_touch_are_the_same_in_every_size(dimensions):
     assert small.here == pytest.approx(large.here)
     reach = [s.model.learning.horizon * s.model.workspace.half_extent for s in (small, large)]
     assert reach[0] == pytest.approx(reach[1])
+
+
+def log_probability(network, potential):
+    return network.slope * potential - network.threshold
+
+
+def test_a_larger_network_is_as_quiet_and_its_bump_as_excitable():
+    small, large = (setting(Case(2, side)).model.network for side in (15, 101))
+    limit = np.log(small.spike_probability_max)
+    full = (limit + small.threshold) / small.slope
+    assert log_probability(large, full) == pytest.approx(limit)
+    beginning = -BEGINNING[2] * small.weight_offset
+    chances = [n.neurons * np.exp(log_probability(n, beginning)) for n in (small, large)]
+    assert chances[0] == pytest.approx(chances[1])
+
+
+@pytest.mark.parametrize('dimensions', [2, 3])
+def test_a_segment_begins_with_as_many_active_neurons_as_assumed(dimensions):
+    given = setting(Case(dimensions, 15))
+    points = np.random.default_rng(1).uniform(-0.6, 0.6, (200, dimensions))
+    omega = StateNeurons(given.model.network).responsibilities(points)
+    active = spike_probability(omega, given.model.learning).sum(axis=1).mean()
+    assert active == pytest.approx(BEGINNING[dimensions], rel=0.05)
 
 
 @pytest.mark.parametrize('dimensions', [2, 3])

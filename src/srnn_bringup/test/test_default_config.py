@@ -47,3 +47,20 @@ def test_the_setting_of_the_paper_states_every_key_and_what_the_paper_states():
     assert (learning.global_threshold, learning.local_threshold) == (0.02, 0.05)
     assert (learning.limit, learning.local_scale, learning.replays) == (0.3, 3.0, 20)
     assert found.planning.sampling.samples == 40
+
+
+def test_the_network_of_three_dimensions_is_another_one_only_where_it_says_so():
+    data = read_yaml(config_directory() / 'network_3d.yaml')
+    assert data == to_mapping(build(NetworkFile, data, 'network_3d.yaml'))
+    planar = to_mapping(NetworkFile())
+    different = {
+        (part, key)
+        for part, values in data['model'].items()
+        for key in values
+        if values[key] != planar['model'][part][key]
+    }
+    assert data['planning'] == planar['planning']
+    assert different == {
+        ('network', 'dimensions'), ('network', 'sigma'), ('network', 'weight_offset'),
+        ('network', 'spike_probability_max'), ('learning', 'rate_scale'),
+    }  # fmt: skip
