@@ -75,6 +75,13 @@ def spec_of(field: dataclasses.Field[Any]) -> ParameterSpec | None:
     return spec if isinstance(spec, ParameterSpec) else None
 
 
+def is_required(field: dataclasses.Field[Any]) -> bool:
+    """Tell whether a field has no default: the user has to give it."""
+    return (
+        field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
+    )
+
+
 class Parameters:
     """Base of every parameter set: checks all of its fields once, at construction.
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, TypeVar, get_type_hints
 
 from srnn_config.errors import ConfigFileError, ParameterError, UnknownKeyError
-from srnn_config.fields import Parameters, spec_of
+from srnn_config.fields import Parameters, is_required, spec_of
 from srnn_config.plain_yaml import parse
 from srnn_config.regular_file import read_regular
 
@@ -60,7 +60,7 @@ def build(cls: type[P], data: Mapping[str, Any], where: str) -> P:
             raise UnknownKeyError(where, key, fields)
         nested = spec_of(fields[key]) is None
         values[key] = build(hints[key], value, f'{where}.{key}') if nested else value
-    missing = [f.name for f in fields.values() if _required(f) and f.name not in values]
+    missing = [f.name for f in fields.values() if is_required(f) and f.name not in values]
     if missing:
         raise ParameterError(f'{where}: missing {", ".join(missing)}')
     try:
@@ -80,9 +80,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, (tuple, list)):
         return [_plain(v) for v in value]
     return value
-
-
-def _required(field: dataclasses.Field[Any]) -> bool:
-    return (
-        field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
-    )

@@ -32,6 +32,7 @@ from srnn_node.entities import EntityLedger
 from srnn_node.journal import JournalWriter
 from srnn_node.parameters import NoParameters, declare_parameters
 from srnn_node.realtime import prefer_thread
+from srnn_node.unheard import Unheard
 
 SUCCESS = TransitionCallbackReturn.SUCCESS
 FAILURE = TransitionCallbackReturn.FAILURE
@@ -81,6 +82,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         declare_key_file(self)
         self._access = Access(self)
         self._reporter = HealthReporter(self, self._health)
+        self._unheard = Unheard(self)
         self._ledger = EntityLedger(self)
 
     # What a node overrides.
@@ -150,9 +152,11 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
                 return
             take(value)
 
-        return self.create_subscription(
+        subscription = self.create_subscription(
             message_type(row.type_name), row.name, receive, profile(row.qos)
         )
+        self._unheard.expect(row, subscription)
+        return subscription
 
     def keep_journal(self, name: str) -> None:
         """Begin a journal, to be published on this topic while the node is active."""
@@ -184,7 +188,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         """Declare and check the parameters, then run the hook."""
         if self._succeeds('configure', self._configure):
             return super().on_configure(state)
-        self._ledger.destroy_later_ones()
+        self._destroy_configured()
         return FAILURE
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -198,11 +202,13 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         if self.ACTIVE_PRIORITY:
             prefer_thread(self.ACTIVE_PRIORITY)
         self._active = True
+        self._unheard.begin()
         return SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Run the hook, then close the publishers."""
         self._active = False
+        self._unheard.end()
         stopped = self._succeeds('deactivate', self.deactivate)
         self._journal.flush()
         garbage.thaw()
@@ -214,7 +220,7 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Run the hook, then destroy what `configure` created."""
         cleaned = self._succeeds('cleanup', self.cleanup)
-        self._ledger.destroy_later_ones()
+        self._destroy_configured()
         return SUCCESS if cleaned else ERROR
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -229,13 +235,17 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Go back to unconfigured after a transition that broke."""
-        self._ledger.destroy_later_ones()
+        self._destroy_configured()
         return SUCCESS
 
     def _configure(self) -> None:
         parameters = declare_parameters(self, self.PARAMETERS)
         self._access = Access.configured(self)
         self.configure(parameters)
+
+    def _destroy_configured(self) -> None:
+        self._unheard.forget()
+        self._ledger.destroy_later_ones()
 
     def _succeeds(self, transition: str, hook: Callable[[], None]) -> bool:
         self.failure = ''

@@ -11,7 +11,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from srnn_config import ParameterError, Parameters, ParameterSpec, build
-from srnn_config.fields import spec_of
+from srnn_config.fields import is_required, spec_of
 
 P = TypeVar('P', bound=Parameters)
 
@@ -38,12 +38,14 @@ class Leaf:
         name: dotted path, for example ``network.sigma``.
         hint: its type.
         spec: its meaning and bounds.
+        required: whether it has no default.
 
     """
 
     name: str
     hint: Any
     spec: ParameterSpec
+    required: bool
 
 
 def leaves(cls: type[Parameters], prefix: str = '') -> Iterator[Leaf]:
@@ -54,7 +56,7 @@ def leaves(cls: type[Parameters], prefix: str = '') -> Iterator[Leaf]:
         if spec is None:
             yield from leaves(hints[field.name], f'{prefix}{field.name}.')
         else:
-            yield Leaf(prefix + field.name, hints[field.name], spec)
+            yield Leaf(prefix + field.name, hints[field.name], spec, is_required(field))
 
 
 def declare_parameters(node: Node, cls: type[P]) -> P:

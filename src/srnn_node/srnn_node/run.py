@@ -13,14 +13,15 @@ from rclpy.experimental import EventsExecutor
 from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.lifecycle import TransitionCallbackReturn
 from rclpy.signals import SignalHandlerOptions
-from rclpy.utilities import remove_ros_args
 
+from srnn_node.access import MEANING, PARAMETER
+from srnn_node.command_line import read_command_line, usage
 from srnn_node.errors import NodeError
-from srnn_node.lifecycle import WorkspaceNode
+from srnn_node.lifecycle import STARTING, WorkspaceNode
 from srnn_node.loop import Loop
+from srnn_node.next_step import next_step
 from srnn_node.realtime import request_realtime
 from srnn_node.signals import StopRequest
-from srnn_node.usage import usage
 
 GRACE_S = 0.1
 """How long the middleware gets to send the last messages [s]."""
@@ -44,17 +45,12 @@ def run(
 
     """
     command_line = list(sys.argv if args is None else args)
-    try:
-        extra = remove_ros_args(command_line)[1:]
-        wrong = f'unknown argument {extra[0]!r}' if extra else ''
-    except RuntimeError as error:
-        extra, wrong = [], str(error)
-    if extra == ['--help']:
-        print(usage(node_class))
-        return 0
-    if wrong:
-        print(f'{node_class.__name__}: {wrong}; try --help', file=sys.stderr)
-        return 2
+    purpose = node_class.__doc__ or node_class.__name__
+    common = {**STARTING, PARAMETER: MEANING}
+    words = usage(purpose, node_class.PARAMETERS, common)
+    code = read_command_line(command_line, node_class.__name__, words)
+    if code is not None:
+        return code
     with StopRequest() as stop:
         try:
             _live(node_class, command_line, stop, priority)
@@ -81,7 +77,11 @@ def _live(
     try:
         if node.get_parameter('autostart').value:
             _start(node)
-        while stop.name is None and node.state != 'finalized':
+        told = ''
+        while stop.name is None and (state := node.state) != 'finalized':
+            if state != told:
+                told = state
+                _invite(node)
             loop.turn()
     finally:
         _wind_down(node, executor)
@@ -103,6 +103,12 @@ def _start(node: WorkspaceNode) -> None:
     for trigger in (node.trigger_configure, *(() if paused else (node.trigger_activate,))):
         if trigger() != TransitionCallbackReturn.SUCCESS:
             raise NodeError(node.failure)
+
+
+def _invite(node: WorkspaceNode) -> None:
+    words = next_step(node)
+    if words:
+        node.get_logger().info(words)
 
 
 def _wind_down(node: WorkspaceNode, executor: Any) -> None:

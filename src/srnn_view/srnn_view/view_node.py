@@ -16,6 +16,7 @@ import viser
 from lwr_description import Mount
 from srnn_config import ConfigError, Parameters, parameter
 from srnn_config.scene import load_scene
+from srnn_node.command_line import read_command_line, usage
 from srnn_node.parameters import declare_parameters
 from srnn_node.signals import StopRequest
 from srnn_view.errors import PortError, ViewError
@@ -23,6 +24,8 @@ from srnn_view.live_run import LiveRun
 from srnn_view.panel import Panel
 from srnn_view.ros.ears import Ears
 from srnn_view.stage import Stage
+
+NAME = 'view'
 
 HOST = '127.0.0.1'
 """Nobody but this machine is shown anything: the page asks for no password."""
@@ -44,16 +47,21 @@ class ViewParameters(Parameters):
 
 def main(args: Sequence[str] | None = None) -> int:
     """Run the view as a process."""
+    command_line = list(sys.argv if args is None else args)
+    words = usage(__doc__ or NAME, ViewParameters)
+    code = read_command_line(command_line, NAME, words)
+    if code is not None:
+        return code
     os.nice(NICENESS)
-    rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
+    rclpy.init(args=command_line, signal_handler_options=SignalHandlerOptions.NO)
     try:
         with StopRequest() as stop:
             # What is heard is fetched: the node is served by no executor.
-            node = Node('view', enable_rosout=False, start_parameter_services=False)
+            node = Node(NAME, enable_rosout=False, start_parameter_services=False)
             try:
                 _show(node, stop)
             except (ConfigError, ViewError) as error:
-                print(f'view: {error}', file=sys.stderr, flush=True)
+                print(f'{error}; try --help', file=sys.stderr, flush=True)
                 return 1
     finally:
         rclpy.try_shutdown()
@@ -94,7 +102,9 @@ def _free(port: int) -> int:
         try:
             probe.bind((HOST, port))
         except OSError as error:
-            raise PortError(f'port = {port}: {error.strerror}; choose another, or 0') from error
+            raise PortError(
+                f'{NAME}: port = {port}: {error.strerror}; choose another, or 0'
+            ) from error
         return int(probe.getsockname()[1])
 
 
