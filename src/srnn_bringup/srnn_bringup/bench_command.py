@@ -7,7 +7,7 @@ import shlex
 import sys
 
 from srnn_bench.bench import NAMES, REPEATS, Asked, run_bench
-from srnn_bringup.config import config_directory, find_scene
+from srnn_bringup.config_lookup import config_directory, find_scene
 from srnn_bringup.options import add_scene, add_seed, new_file, whole
 from srnn_config.scene import load_scene
 

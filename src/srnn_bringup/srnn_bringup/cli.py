@@ -2,7 +2,7 @@
 """The `srnn` command."""
 
 import argparse
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 import os
 from pathlib import Path
 import sys
@@ -14,21 +14,17 @@ from srnn_bringup.arms import ARMS
 from srnn_bringup.belief_command import add_belief_actions
 from srnn_bringup.bench_command import add_bench
 from srnn_bringup.command_line import WRONG_USE, Parser
-from srnn_bringup.config import FRI, SIMULATED, Choices, Configuration, load
+from srnn_bringup.config import FRI, SIMULATED
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
 from srnn_bringup.experiment_options import add_experiments
-from srnn_bringup.key_command import add_key, add_key_actions
+from srnn_bringup.graph_options import add_graph, add_up, configuration
+from srnn_bringup.key_command import add_key_actions
 from srnn_bringup.keystore_command import add_keystore_actions
 from srnn_bringup.options import (
     add_keystore,
-    add_learning,
-    add_network,
-    add_part,
+    add_namespace,
     add_peers,
-    add_scene,
-    add_seed,
-    add_view,
     new_bag,
     new_file,
     picture_file,
@@ -103,12 +99,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         )
     }  # fmt: skip
     _add_demo(commands['demo'])
-    _add_graph(commands['up'], ARMS)
-    add_part(commands['up'])
-    commands['up'].add_argument(
-        '--emulator', action='store_true',
-        help='with --arm fri: emulate the controller, with the MuJoCo arm behind it',
-    )
+    add_up(commands['up'])
     commands['up'].set_defaults(run=_up)
     for name, run in (('pause', _pause), ('resume', _resume)):
         commands[name].set_defaults(run=run)
@@ -121,8 +112,9 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     add_bench(commands['bench'])
     for name in ('up', 'pause', 'resume', 'record'):
         add_peers(commands[name])
-    for name in ('demo', 'up', 'pause', 'resume', 'record'):
+    for name in ('pause', 'resume', 'record'):
         add_keystore(commands[name])
+        add_namespace(commands[name])
     commands['doctor'].set_defaults(run=_doctor)
     for command, metavar, add in (
         ('experiment', 'EXPERIMENT', add_experiments),
@@ -138,31 +130,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     return parser, commands
 
 
-def _add_graph(parser: Parser, arms: Mapping[str, str]) -> None:
-    """Add what every command that starts the graph has."""
-    meanings = ', '.join(f'{name} = {meaning}' for name, meaning in arms.items())
-    parser.add_argument(
-        '--arm', choices=tuple(arms), default=SIMULATED,
-        help=f'arm to move: {meanings} (default: %(default)s)',
-    )
-    add_scene(parser)
-    add_network(parser)
-    add_learning(parser)
-    add_seed(parser, 'seed of all random numbers')
-    add_key(parser)
-    parser.add_argument(
-        '--record', type=new_bag, metavar='BAG',
-        help='record every topic, and all that the run can be repeated from, to a new directory',
-    )
-    add_view(parser)
-    parser.add_argument(
-        '--save-weights', type=new_file, metavar='FILE',
-        help='weights to write: at the end of a demo, and when asked by ~/save of the adapter',
-    )  # fmt: skip
-
-
 def _add_demo(parser: Parser) -> None:
-    _add_graph(
+    add_graph(
         parser,
         {SIMULATED: ARMS[SIMULATED], FRI: 'the same behind FRI and an emulated controller'},
     )
@@ -178,66 +147,41 @@ def _add_demo(parser: Parser) -> None:
     parser.set_defaults(run=_demo, emulator=None)
 
 
-def _configuration(options: argparse.Namespace) -> Configuration:
-    check_environment(os.environ)
-    configuration = load(
-        Choices(
-            arm=options.arm,
-            # A demo has an obstacle in the way: that of the simulator.
-            emulated=options.arm == FRI if options.emulator is None else options.emulator,
-            scene=options.scene,
-            network=options.network,
-            signal=options.signal,
-            alpha=options.alpha,
-            seed=options.seed,
-            initial_weights=options.weights,
-            weights_file=options.save_weights,
-            key_file=options.key,
-            keystore=options.secure,
-        )
-    )
-    if configuration.keystore is not None:
-        from srnn_bringup.security import require_security
-
-        require_security(configuration.keystore, os.environ)
-    return configuration
-
-
 def _demo(options: argparse.Namespace) -> int:
-    configuration = _configuration(options)
+    told = configuration(options)
     from srnn_bringup.demo import run_demo
     from srnn_bringup.report import Outputs
 
     outputs = Outputs(options.picture, options.json, options.save_weights)
-    return run_demo(configuration, options.segments, outputs, options.record, options.view)
+    return run_demo(told, options.segments, outputs, options.record, options.view)
 
 
 def _up(options: argparse.Namespace) -> int:
-    configuration = _configuration(options)
+    told = configuration(options)
     from srnn_bringup.up import run_up
 
-    return run_up(configuration, options.only, options.peer, options.record, options.view)
+    return run_up(told, options.only, options.peer, options.record, options.view)
 
 
 def _pause(options: argparse.Namespace) -> int:
     check_environment(os.environ)
     from srnn_bringup.pausing import run_pause
 
-    return run_pause(options.peer, options.secure)
+    return run_pause(options.peer, options.secure, options.namespace)
 
 
 def _resume(options: argparse.Namespace) -> int:
     check_environment(os.environ)
     from srnn_bringup.pausing import run_resume
 
-    return run_resume(options.peer, options.secure)
+    return run_resume(options.peer, options.secure, options.namespace)
 
 
 def _record(options: argparse.Namespace) -> int:
     check_environment(os.environ)
     from srnn_bringup.record import run_record
 
-    return run_record(options.bag, options.peer, options.secure)
+    return run_record(options.bag, options.peer, options.secure, options.namespace)
 
 
 def _doctor(_: argparse.Namespace) -> int:

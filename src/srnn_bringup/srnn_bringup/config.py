@@ -2,16 +2,14 @@
 """The configuration of the whole graph, complete and checked before anything starts."""
 
 from dataclasses import dataclass, replace
-import difflib
-import os
 from pathlib import Path
-import sys
 from typing import TypeVar
 
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_access import Key, key_file
 from srnn_bringup.config_files import ArmFile, FriFile, NetworkFile, TrackingFile
-from srnn_bringup.errors import ChoiceError, ConfigDirectoryError
+from srnn_bringup.config_lookup import config_directory, find_network, find_scene
+from srnn_bringup.errors import ChoiceError
 from srnn_config import Parameters, build, parameter, read_yaml
 from srnn_config.scene import Scene, load_scene
 from srnn_planner.core import weights_file
@@ -25,9 +23,11 @@ NETWORK = 'network'
 SIMULATED = 'sim'
 FRI = 'fri'
 
+ROOT = '/'
+"""The namespace of a graph that has no other."""
+
 SEED_MAX = 2**31 - 1
 
-_PLACE = Path('share', 'srnn_bringup', 'config')
 _CONSTANT_SIGNALS = ('constant', 'untriggered')
 
 P = TypeVar('P', bound=Parameters)
@@ -49,6 +49,7 @@ class Choices:
         weights_file: weight file that is written.
         key_file: file with the key that the nodes share.
         keystore: directory of the keystore that protects the graph.
+        namespace: absolute ROS namespace of the nodes.
 
     """
 
@@ -63,6 +64,7 @@ class Choices:
     weights_file: Path | None = None
     key_file: Path | None = None
     keystore: Path | None = None
+    namespace: str = ROOT
 
 
 @dataclass(frozen=True)
@@ -82,6 +84,7 @@ class Configuration(Parameters):
         weights_file: absolute path of the weights that are written, None for none.
         key_file: absolute path of the key that the nodes share, None for none.
         keystore: absolute path of the keystore that protects the graph, None for none.
+        namespace: absolute ROS namespace of the nodes.
 
     """
 
@@ -97,6 +100,7 @@ class Configuration(Parameters):
     weights_file: Path | None = None
     key_file: Path | None = None
     keystore: Path | None = None
+    namespace: str = ROOT
     seed: int = parameter(
         0, minimum=0, maximum=SEED_MAX, doc='Seed of all random numbers of the graph.'
     )
@@ -179,6 +183,10 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
     """
     if choices.emulated and choices.arm != FRI:
         raise ChoiceError(f"arm '{choices.arm}' has no controller to emulate; it is for '{FRI}'")
+    if choices.keystore is not None and choices.namespace != ROOT:
+        raise ChoiceError(
+            f"namespace '{choices.namespace}': a keystore gives rights in namespace '{ROOT}' alone"
+        )
     directory = config_directory() if directory is None else directory
     scene_path = find_scene(choices.scene, directory)
     network_path = find_network(choices.network, directory)
@@ -195,75 +203,13 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         weights_file=_absolute(choices.weights_file),
         key_file=_absolute(choices.key_file),
         keystore=_absolute(choices.keystore),
+        namespace=choices.namespace,
         seed=choices.seed,
     )
     _ = configuration.tracker
     configuration.start_weights()
     configuration.key()
     return configuration
-
-
-def config_directory(module: Path = Path(__file__)) -> Path:
-    """Return where the configuration files are.
-
-    In a source tree these are the files that its user edits; else those installed under
-    a prefix of ament, or of Python.
-
-    Args:
-        module: this file.
-
-    Raises:
-        ConfigDirectoryError: they are nowhere; the message lists the places.
-
-    """
-    package = module.resolve().parents[1]
-    source = [package.parents[1] / 'config'] if (package / 'package.xml').is_file() else []
-    ament = [Path(p) for p in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if p]
-    places = [*source, *(prefix / _PLACE for prefix in [*ament, Path(sys.prefix)])]
-    for place in places:
-        if (place / 'network.yaml').is_file():
-            return place
-    looked = ', '.join(str(place) for place in places)
-    raise ConfigDirectoryError(f'no configuration found; looked in {looked}')
-
-
-def scene_names(directory: Path) -> list[str]:
-    """Return the names of the scenes that come with the configuration."""
-    return sorted(path.stem for path in (directory / 'scenes').glob('*.yaml'))
-
-
-def find_scene(choice: str, directory: Path) -> Path:
-    """Return the absolute path of a scene given by name or path.
-
-    Raises:
-        ChoiceError: there is no such scene; the message lists the names.
-
-    """
-    return _find('scene', choice, directory / 'scenes', scene_names(directory))
-
-
-def find_network(choice: str, directory: Path) -> Path:
-    """Return the absolute path of a network given by name or path.
-
-    Raises:
-        ChoiceError: there is no such network; the message lists the names.
-
-    """
-    names = sorted(path.stem for path in directory.glob('network*.yaml'))
-    return _find('network', choice, directory, names)
-
-
-def _find(kind: str, choice: str, directory: Path, names: list[str]) -> Path:
-    if choice in names:
-        return (directory / f'{choice}.yaml').resolve()
-    path = Path(choice)
-    if path.is_file():
-        return path.resolve()
-    near = difflib.get_close_matches(choice, names, n=1)
-    hint = f" (did you mean '{near[0]}'?)" if near else ''
-    raise ChoiceError(
-        f"no {kind} '{choice}'{hint}; valid: the path of a {kind} file, or {', '.join(names)}"
-    )
 
 
 def _read(cls: type[P], path: Path) -> P:

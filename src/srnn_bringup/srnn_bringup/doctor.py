@@ -10,7 +10,8 @@ from pathlib import Path
 import resource
 import sys
 
-from srnn_bringup.config import Choices, config_directory, load, scene_names
+from srnn_bringup.config import Choices, load
+from srnn_bringup.config_lookup import config_directory, scene_names
 from srnn_bringup.environment import (
     DISCOVERY_RANGE,
     DOMAIN_ID,

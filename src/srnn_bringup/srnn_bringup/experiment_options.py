@@ -5,14 +5,8 @@ import argparse
 from collections.abc import Callable
 
 from srnn_bringup.command_line import Parser
-from srnn_bringup.config import (
-    SEED_MAX,
-    Choices,
-    Configuration,
-    config_directory,
-    find_scene,
-    load,
-)
+from srnn_bringup.config import SEED_MAX, Choices, Configuration, load
+from srnn_bringup.config_lookup import config_directory, find_scene
 from srnn_bringup.options import (
     add_learning,
     add_network,

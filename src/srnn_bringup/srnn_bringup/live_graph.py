@@ -16,7 +16,7 @@ from typing import Self
 from srnn_bringup import bag_attachments
 from srnn_bringup.access import COMMAND
 from srnn_bringup.bag_recorder import record
-from srnn_bringup.config import Configuration
+from srnn_bringup.config import ROOT, Configuration
 from srnn_bringup.environment import DOMAIN_ID, graph_environment, security_arguments
 from srnn_bringup.errors import (
     BringupError,
@@ -27,6 +27,7 @@ from srnn_bringup.errors import (
 )
 from srnn_bringup.graph import access, chosen, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
+from srnn_bringup.neighbours import neighbours
 from srnn_bringup.node_description import NodeDescription
 from srnn_bringup.restarts import Restarts
 from srnn_bringup.session import session
@@ -123,10 +124,10 @@ class LiveGraph:
             except TransitionError:
                 # A node that has just started has no other reason than an error of its own.
                 if not self._last_error(client.name):
-                    _refuse_namesakes([client.name])
+                    self._refuse_namesakes([client.name])
                 raise
-        seen = self.node.get_node_names()
-        _refuse_namesakes([name for name in self.names if seen.count(name) > 1])
+        seen = neighbours(self.node)
+        self._refuse_namesakes([name for name in self.names if seen.count(name) > 1])
 
     def activate(self) -> None:
         """Activate every node, the arm first and the planner last."""
@@ -160,8 +161,10 @@ class LiveGraph:
         self._supervisor = stack.enter_context(Supervisor(directory))
         for description in self._descriptions:
             self._supervisor.start(self._command(description))
-        keystore = self._configuration.keystore
-        self.node, self.pump = stack.enter_context(session(COMMAND, self._guard, keystore))
+        keystore, namespace = self._configuration.keystore, self._configuration.namespace
+        self.node, self.pump = stack.enter_context(
+            session(COMMAND, self._guard, keystore, namespace)
+        )
         if self._bag is not None:
             recorder = record(self.node, self._bag)
             stack.callback(lambda: self._say(recorder.words()))
@@ -176,8 +179,11 @@ class LiveGraph:
     def _command(
         self, description: NodeDescription, autostart: bool = False, paused: bool = False
     ) -> Command:
-        keystore = self._configuration.keystore
-        return command(description, self._files[description.name], keystore, autostart, paused)
+        told = self._configuration
+        return command(
+            description, self._files[description.name], told.keystore, autostart, paused,
+            namespace=told.namespace,
+        )  # fmt: skip
 
     def _deactivate(self) -> None:
         pump = self.pump.unguarded()
@@ -208,6 +214,14 @@ class LiveGraph:
             pause = self._restarts.died(death.name, time.monotonic())
             self._say(f'{death.report()}\nstarting {death.name} anew in {pause:g} s')
 
+    def _refuse_namesakes(self, names: Sequence[str]) -> None:
+        if names:
+            domain, namespace = os.environ.get(DOMAIN_ID) or '0', self.node.get_namespace()
+            raise ChoiceError(
+                f'{DOMAIN_ID} = {domain}: another {" and ".join(names)} runs there in namespace '
+                f'{namespace}; stop it, or choose another domain or namespace'
+            )
+
     def _last_error(self, name: str) -> str:
         return last_error(self._supervisor.last_lines(name, count=1000))
 
@@ -219,12 +233,15 @@ def command(
     autostart: bool = False,
     paused: bool = False,
     member: str | None = None,
+    namespace: str = ROOT,
 ) -> Command:
-    """Return the process of a node with its parameter file, in its enclave of a keystore.
+    """Return the process of a node with its parameter file, in the namespace of the graph.
 
-    Its enclave is that of `member`, if it has none of its own.
+    If there is a keystore, its enclave is that of `member`, if it has none of its own.
     """
-    arguments: tuple[str, ...] = ('--ros-args', '--params-file', str(parameters))
+    arguments: tuple[str, ...] = (
+        '--ros-args', '--params-file', str(parameters), '-r', f'__ns:={namespace}',
+    )  # fmt: skip
     if autostart:
         arguments += ('-p', 'autostart:=true', '-p', f'paused:={str(paused).lower()}')
     enclave = security_arguments(member or description.name, keystore)
@@ -233,15 +250,6 @@ def command(
         (sys.executable, '-m', description.module, *arguments, *enclave),
         graph_environment(os.environ, keystore),
     )
-
-
-def _refuse_namesakes(names: Sequence[str]) -> None:
-    if names:
-        domain = os.environ.get(DOMAIN_ID) or '0'
-        raise ChoiceError(
-            f'{DOMAIN_ID} = {domain}: another {" and ".join(names)} runs there; '
-            'stop it, or choose another domain'
-        )
 
 
 def last_error(lines: tuple[str, ...]) -> str:

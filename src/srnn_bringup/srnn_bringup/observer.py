@@ -14,6 +14,7 @@ from rclpy.node import Node
 from srnn_access import Key
 from srnn_bringup.recorder import Recorder
 from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.health import Health, in_namespace
 from srnn_msgs_py.ros import diagnostics, dissonance, executed, result, segment, weights, wrench
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
@@ -46,12 +47,16 @@ class Observer:
             self._listen('dissonance', dissonance.from_msg, recorder.dissonance),
             self._listen('weights', weights.from_msg, recorder.weights),
             self._listen('contact_truth', _force, recorder.force),
-            self._listen('/diagnostics', diagnostics.from_msg, recorder.health),
+            self._listen('/diagnostics', self._beside, recorder.health),
         ]
 
     def connected(self) -> bool:
         """Tell whether every topic has found its publisher."""
         return all(subscription.get_publisher_count() for subscription in self._subscriptions)
+
+    def _beside(self, msg: Any) -> dict[str, Health]:
+        """Read the health of the nodes of this graph; all graphs of a domain share the topic."""
+        return in_namespace(diagnostics.from_msg(msg), self._node.get_namespace())
 
     def _listen(self, name: str, read: Callable[[Any], Any], take: Callable[[Any], None]) -> Any:
         row = topic(name)

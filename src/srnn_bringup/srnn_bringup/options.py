@@ -5,9 +5,10 @@ import argparse
 from collections.abc import Callable
 import math
 from pathlib import Path
+import re
 from typing import TypeVar
 
-from srnn_bringup.config import NETWORK, SEED_MAX, STANDARD_SCENE
+from srnn_bringup.config import NETWORK, ROOT, SEED_MAX, STANDARD_SCENE
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph import NAMES, part
 from srnn_bringup.peers import find_peer
@@ -18,6 +19,9 @@ PICTURE_FORMATS = ('.png', '.pdf', '.svg')
 V = TypeVar('V')
 
 VIEW_PORT = 8080
+
+_NAMESPACE = re.compile(r'(/[A-Za-z_](_?[A-Za-z0-9])*_?)+')
+"""Of two underscores in a row ROS makes no name."""
 
 
 def add_scene(parser: argparse.ArgumentParser) -> None:
@@ -62,6 +66,14 @@ def add_keystore(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--secure', type=existing_directory, metavar='KEYSTORE',
         help='keystore of DDS security: nobody takes part without a key, or beyond its rights',
+    )
+
+
+def add_namespace(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of a namespace."""
+    parser.add_argument(
+        '--namespace', type=namespace, default=ROOT, metavar='NAMESPACE',
+        help='ROS namespace of all nodes of the graph (default: %(default)s)',
     )
 
 
@@ -116,6 +128,17 @@ def whole(minimum: int, maximum: int) -> Callable[[str], int]:
         return value
 
     return read
+
+
+def namespace(text: str) -> str:
+    """Read the name of a namespace; return it with the slash that it begins with."""
+    full = f'/{text.removeprefix("/")}'
+    if full != ROOT and not _NAMESPACE.fullmatch(full):
+        raise argparse.ArgumentTypeError(
+            f'{text!r}: must be a ROS namespace: words of letters, digits and underscores, none '
+            "of which begins with a digit, with '/' between them"
+        )
+    return full
 
 
 def rate(text: str) -> float:

@@ -8,13 +8,17 @@ from pathlib import Path
 import signal
 import sys
 
+from rclpy.node import Node
+
 from srnn_bringup.arms import HOLDING
+from srnn_bringup.config import ROOT
 from srnn_bringup.console import Console
 from srnn_bringup.environment import DOMAIN_ID
 from srnn_bringup.errors import BringupError, ChoiceError, Interrupted, TransitionError
 from srnn_bringup.graph import NAMES, complete
 from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.live_graph import ACTIVATE_S, DEACTIVATE_S
+from srnn_bringup.neighbours import neighbours
 from srnn_bringup.peer_profile import talking_to
 from srnn_bringup.peers import Peer
 from srnn_bringup.pump import Pump
@@ -97,14 +101,14 @@ class RunningGraph:
             self._pump.until(self._standstill, REST_S)
 
 
-def run_pause(peers: Sequence[Peer], keystore: Path | None) -> int:
-    """Pause the graph of this domain; return the exit code."""
-    return _run('pause', RunningGraph.pause, peers, keystore)
+def run_pause(peers: Sequence[Peer], keystore: Path | None, namespace: str) -> int:
+    """Pause the graph of this domain and namespace; return the exit code."""
+    return _run('pause', RunningGraph.pause, peers, keystore, namespace)
 
 
-def run_resume(peers: Sequence[Peer], keystore: Path | None) -> int:
-    """Resume the graph of this domain; return the exit code."""
-    return _run('resume', RunningGraph.resume, peers, keystore)
+def run_resume(peers: Sequence[Peer], keystore: Path | None, namespace: str) -> int:
+    """Resume the graph of this domain and namespace; return the exit code."""
+    return _run('resume', RunningGraph.resume, peers, keystore, namespace)
 
 
 def _run(
@@ -112,10 +116,11 @@ def _run(
     action: Callable[[RunningGraph, Callable[[str], None]], None],
     peers: Sequence[Peer],
     keystore: Path | None,
+    namespace: str,
 ) -> int:
     with talking_to(peers), StopRequest() as stop:
         try:
-            with running_graph(f'srnn_{command}', stop, keystore) as graph:
+            with running_graph(f'srnn_{command}', stop, keystore, namespace) as graph:
                 action(graph, Console(sys.stdout).note)
             return 0
         except Interrupted as wish:
@@ -127,17 +132,18 @@ def _run(
 
 @contextmanager
 def running_graph(
-    name: str, stop: StopRequest, keystore: Path | None = None
+    name: str, stop: StopRequest, keystore: Path | None = None, namespace: str = ROOT
 ) -> Iterator[RunningGraph]:
-    """Find the nodes that run in this domain.
+    """Find the nodes of a graph that run in this domain.
 
     Args:
         name: what to be called there.
         stop: tells when the user wants to stop.
         keystore: keystore that protects the graph, None for none.
+        namespace: absolute ROS namespace of the graph.
 
     Raises:
-        ChoiceError: there are none.
+        ChoiceError: there are none; the message says in which namespaces there are.
 
     """
 
@@ -145,12 +151,22 @@ def running_graph(
         if stop.name is not None:
             raise Interrupted(stop.name)
 
-    with session(name, guard, keystore) as (node, pump):
+    with session(name, guard, keystore, namespace) as (node, pump):
         standstill = Standstill(node)
-        pump.until(lambda: complete(node.get_node_names()), LOOK_S)
-        seen = set(node.get_node_names())
+        pump.until(lambda: complete(neighbours(node)), LOOK_S)
+        seen = set(neighbours(node))
         if not seen & set(NAMES):
-            domain = os.environ.get(DOMAIN_ID) or '0'
-            raise ChoiceError(f'no graph in {DOMAIN_ID} = {domain}: start one with `srnn up`')
+            raise ChoiceError(_nobody(node))
         clients = [LifecycleClient(node, other, lambda: '') for other in NAMES if other in seen]
         yield RunningGraph(clients, pump, standstill)
+
+
+def _nobody(node: Node) -> str:
+    """Return that there is no graph here, and where there is one."""
+    domain = os.environ.get(DOMAIN_ID) or '0'
+    here = node.get_namespace()
+    where = '' if here == ROOT else f' in namespace {here}'
+    seen = node.get_node_names_and_namespaces()
+    others = sorted({namespace for name, namespace in seen if name in NAMES})
+    hint = f'; there is one in namespace {" and ".join(others)}' if others else ''
+    return f'no graph in {DOMAIN_ID} = {domain}{where}: start one with `srnn up`{hint}'

@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from srnn_bringup.config import config_directory
+from srnn_bringup.config_lookup import config_directory
 from srnn_bringup.environment import DISCOVERY_RANGE, DOMAIN_ID, PROFILES, uses_loopback
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.peers import Address, Peer

@@ -14,6 +14,7 @@ from srnn_bringup.bag_recorder import BagRecorder, record
 from srnn_bringup.console import Console
 from srnn_bringup.errors import Interrupted
 from srnn_bringup.graph import NAMES
+from srnn_bringup.neighbours import neighbours
 from srnn_bringup.parameter_client import ParameterClient
 from srnn_bringup.peer_profile import talking_to
 from srnn_bringup.peers import Peer
@@ -22,26 +23,41 @@ from srnn_node.signals import StopRequest
 
 COMMAND = 'srnn_record'
 
+RECORDING = 'recording to'
+"""What it says once it listens."""
 
-def run_record(directory: Path, peers: Sequence[Peer], keystore: Path | None) -> int:
-    """Record the graph of this domain until the user stops it; return the exit code."""
+
+def run_record(
+    directory: Path, peers: Sequence[Peer], keystore: Path | None, namespace: str
+) -> int:
+    """Record a graph of this domain until the user stops it; return the exit code.
+
+    Args:
+        directory: new directory to record to.
+        peers: other hosts, where a part of the graph runs.
+        keystore: keystore that protects the graph, None for none.
+        namespace: absolute ROS namespace of the graph.
+
+    """
     console = Console(sys.stdout)
 
     def guard() -> None:
         if stop.name is not None:
             raise Interrupted(stop.name)
 
-    with talking_to(peers), StopRequest() as stop, session(COMMAND, guard, keystore) as (
-        node, pump,
-    ):  # fmt: skip
+    with (
+        talking_to(peers),
+        StopRequest() as stop,
+        session(COMMAND, guard, keystore, namespace) as (node, pump),
+    ):
         with record(node, directory) as recorder:
             recorder.attach([bag_attachments.summary(joined=True)])
-            console.note(f'recording to {directory}; Ctrl-C ends the recording')
+            console.note(f'{RECORDING} {directory}; Ctrl-C ends the recording')
             clients: dict[str, ParameterClient] = {}
             try:
                 while True:
                     pump.turn()
-                    for name in set(node.get_node_names()) & set(NAMES) - clients.keys():
+                    for name in set(neighbours(node)) & set(NAMES) - clients.keys():
                         clients[name] = ParameterClient(node, name)
                     _attach(recorder, clients.values())
             except Interrupted:

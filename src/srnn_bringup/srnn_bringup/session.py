@@ -13,6 +13,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from srnn_bringup.access import COMMAND
+from srnn_bringup.config import ROOT
 from srnn_bringup.environment import graph_environment, security_arguments
 from srnn_bringup.errors import SecurityError
 from srnn_bringup.pump import Pump
@@ -20,7 +21,10 @@ from srnn_bringup.pump import Pump
 
 @contextmanager
 def session(
-    name: str, guard: Callable[[], None], keystore: Path | None = None
+    name: str,
+    guard: Callable[[], None],
+    keystore: Path | None = None,
+    namespace: str = ROOT,
 ) -> Iterator[tuple[Node, Pump]]:
     """Take part in the middleware; yield the node, and the pump that handles its events.
 
@@ -30,6 +34,7 @@ def session(
         name: name of the node.
         guard: raises when it is time to stop.
         keystore: keystore that protects the graph, None for none.
+        namespace: absolute ROS namespace of the graph.
 
     Raises:
         SecurityError: the middleware does not let this process in.
@@ -40,7 +45,7 @@ def session(
     with ExitStack() as stack:
         stack.callback(_restore, before)
         stack.callback(rclpy.try_shutdown)
-        node = _enter(name, keystore)
+        node = _enter(name, keystore, namespace)
         stack.callback(node.destroy_node)
         executor = EventsExecutor()
         stack.callback(executor.shutdown)
@@ -48,13 +53,15 @@ def session(
         yield node, Pump(executor, guard)
 
 
-def _enter(name: str, keystore: Path | None) -> Node:
+def _enter(name: str, keystore: Path | None, namespace: str) -> Node:
     try:
         rclpy.init(
             args=security_arguments(COMMAND, keystore),
             signal_handler_options=SignalHandlerOptions.NO,
         )
-        return Node(name, enable_rosout=False, start_parameter_services=False)
+        return Node(
+            name, namespace=namespace, enable_rosout=False, start_parameter_services=False
+        )
     except rclpy_implementation.RCLError as error:
         raise SecurityError(f'the middleware does not let {name} in: {error}') from error
 

@@ -46,7 +46,11 @@ def viewing(
     with tempfile.TemporaryDirectory(prefix='srnn_view_') as folder:
         files = write_parameters([view], Path(folder))
         with Supervisor(Path(folder)) as supervisor:
-            supervisor.start(command(view, files[VIEW], configuration.keystore, member=COMMAND))
+            process = command(
+                view, files[VIEW], configuration.keystore, member=COMMAND,
+                namespace=configuration.namespace,
+            )  # fmt: skip
+            supervisor.start(process)
             say(_await(supervisor))
             try:
                 yield supervisor.pids

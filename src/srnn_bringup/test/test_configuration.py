@@ -9,13 +9,8 @@ import numpy as np
 import pytest
 import yaml
 
-from srnn_bringup.config import (
-    Choices,
-    config_directory,
-    find_scene,
-    load,
-    scene_names,
-)
+from srnn_bringup.config import Choices, load
+from srnn_bringup.config_lookup import config_directory, find_scene, scene_names
 from srnn_bringup.errors import BringupError, ChoiceError, ConfigDirectoryError
 from srnn_config import ConfigError, ParameterError, UnknownKeyError
 from srnn_msgs_py.weights import WeightsUpdate

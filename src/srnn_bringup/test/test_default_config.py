@@ -2,8 +2,8 @@
 import pytest
 import yaml
 
-from srnn_bringup.config import config_directory
 from srnn_bringup.config_files import FILES, NetworkFile
+from srnn_bringup.config_lookup import config_directory
 from srnn_bringup.default_config import WIDTH, render, write
 from srnn_config import build, read_yaml, to_mapping
 from srnn_node.parameters import leaves

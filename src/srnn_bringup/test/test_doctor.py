@@ -4,7 +4,7 @@ from xml.etree import ElementTree
 import pytest
 
 from srnn_bringup import doctor, security
-from srnn_bringup.config import config_directory
+from srnn_bringup.config_lookup import config_directory
 from srnn_bringup.doctor import Finding, Verdict, examine, run_doctor
 from srnn_bringup.errors import NotReadyError
 

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from srnn_bringup.config import config_directory
+from srnn_bringup.config_lookup import config_directory
 from srnn_bringup.environment import (
     DISCOVERY_RANGE,
     DOMAIN_ID,

@@ -162,6 +162,11 @@ def test_every_process_is_in_its_enclave_and_takes_part_only_if_protected(keysto
         assert process.environment['ROS_SECURITY_STRATEGY'] == 'Enforce'
 
 
+def test_a_keystore_protects_no_namespace_but_the_root(keystore):
+    with pytest.raises(ChoiceError, match="namespace '/left': a keystore gives rights"):
+        load(Choices(keystore=keystore, namespace='/left'))
+
+
 def test_without_a_keystore_nothing_changes():
     assert security_arguments('tracker', None) == []
     assert not [name for name in graph_environment({}) if name.startswith('ROS_SECURITY')]

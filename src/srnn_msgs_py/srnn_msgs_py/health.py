@@ -29,3 +29,18 @@ class Health:
     level: HealthLevel = HealthLevel.OK
     message: str = ''
     values: Mapping[str, float | int | str] = field(default_factory=dict)
+
+
+def in_namespace(healths: Mapping[str, Health], namespace: str) -> dict[str, Health]:
+    """Return the health of those nodes that are in a namespace.
+
+    Args:
+        healths: health of nodes by full name.
+        namespace: absolute namespace.
+
+    """
+    return {
+        name: health
+        for name, health in healths.items()
+        if (name.rpartition('/')[0] or '/') == namespace
+    }

@@ -81,7 +81,7 @@ def _live(
         while stop.name is None and (state := node.state) != 'finalized':
             if state != told:
                 told = state
-                _invite(node)
+                _tell(node)
             loop.turn()
     finally:
         _wind_down(node, executor)
@@ -105,10 +105,13 @@ def _start(node: WorkspaceNode) -> None:
             raise NodeError(node.failure)
 
 
-def _invite(node: WorkspaceNode) -> None:
+def _tell(node: WorkspaceNode) -> None:
     words = next_step(node)
     if words:
         node.get_logger().info(words)
+    else:
+        # The log is for what somebody has to do something about.
+        print(f'{node.get_fully_qualified_name()} is {node.state}', flush=True)
 
 
 def _wind_down(node: WorkspaceNode, executor: Any) -> None:

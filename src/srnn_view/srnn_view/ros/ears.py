@@ -15,6 +15,7 @@ from visualization_msgs.msg import MarkerArray
 
 from lwr_description import JOINT_NAMES
 from srnn_msgs_py.errors import MessageError
+from srnn_msgs_py.health import in_namespace
 from srnn_msgs_py.ros import (
     belief,
     diagnostics,
@@ -41,6 +42,7 @@ class Ears:
     def __init__(self, node: Node, run: LiveRun) -> None:
         """Listen from now on; have `listen` called again and again."""
         self._run = run
+        self._namespace = node.get_namespace()
         tell: Mapping[str, Callable[[Any], None]] = {
             'segment_path': lambda msg: run.planned(path.positions(msg)),
             'executed_path': lambda msg: run.moved(path.positions(msg)),
@@ -78,7 +80,8 @@ class Ears:
         self._run.ended_as(result.from_msg(msg), time.monotonic())
 
     def _on_diagnostics(self, msg: Any) -> None:
-        self._run.felt(diagnostics.from_msg(msg), time.monotonic())
+        beside = in_namespace(diagnostics.from_msg(msg), self._namespace)
+        self._run.felt(beside, time.monotonic())
 
     def _on_belief(self, msg: OccupancyGrid) -> None:
         self._run.believed(BeliefMap(*belief.from_msg(msg)))
