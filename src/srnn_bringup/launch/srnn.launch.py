@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The graph of `srnn up` for a machine with ROS 2: ros2 launch srnn_bringup srnn.launch.py."""
 
-from collections.abc import Sequence
 import os
 from pathlib import Path
 import sys
@@ -65,26 +64,24 @@ def launch_processes(context: LaunchContext) -> list[Action]:
     directory = Path(tempfile.mkdtemp(prefix='srnn_'))
     descriptions = chosen(told, options.only, directory)
     files = write_parameters(descriptions, directory, autostart=True, **access(told))
+    # Those around are out of force by the time at which a recorded graph is started.
+    remappings = [*around.get('ros_remaps', ()), *told.remappings]
     processes: list[Action] = [
         LifecycleNode(
-            respawn=True, respawn_delay=RESPAWN_S, name=node.name,
-            **common(node, files[node.name], told, around.get('ros_remaps', ())),
+            respawn=True, respawn_delay=RESPAWN_S, name=node.name, remappings=remappings,
+            **common(node, files[node.name], told),
         )
         for node in descriptions
     ]  # fmt: skip
     if options.view is not None:
         page = viewer.describe(told, options.view)
         file = write_parameters([page], directory)[page.name]
-        processes.append(Node(name=page.name, **common(page, file, told, (), member=COMMAND)))
+        processes.append(Node(name=page.name, **common(page, file, told, member=COMMAND)))
     return processes if options.record is None else recorded(options.record, told, processes)
 
 
 def common(
-    node: NodeDescription,
-    parameters: Path,
-    told: Configuration,
-    remappings: Sequence[tuple[str, str]],
-    member: str | None = None,
+    node: NodeDescription, parameters: Path, told: Configuration, member: str | None = None
 ) -> dict[str, Any]:
     """Return what launch is told of every node; its enclave is that of `member`, if any."""
     return {
@@ -92,7 +89,6 @@ def common(
         'package': node.package,
         'executable': node.executable,
         'parameters': [str(parameters)],
-        'remappings': list(remappings),
         'arguments': security_arguments(member or node.name, told.keystore),
         'additional_env': graph_environment(os.environ, told.keystore),
         'output': 'screen',

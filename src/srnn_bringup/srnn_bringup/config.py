@@ -50,6 +50,7 @@ class Choices:
         key_file: file with the key that the nodes share.
         keystore: directory of the keystore that protects the graph.
         namespace: absolute ROS namespace of the nodes.
+        remappings: names of topics and services, and what the nodes use instead.
 
     """
 
@@ -65,6 +66,7 @@ class Choices:
     key_file: Path | None = None
     keystore: Path | None = None
     namespace: str = ROOT
+    remappings: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -85,6 +87,7 @@ class Configuration(Parameters):
         key_file: absolute path of the key that the nodes share, None for none.
         keystore: absolute path of the keystore that protects the graph, None for none.
         namespace: absolute ROS namespace of the nodes.
+        remappings: names of topics and services, and what the nodes use instead.
 
     """
 
@@ -101,6 +104,7 @@ class Configuration(Parameters):
     key_file: Path | None = None
     keystore: Path | None = None
     namespace: str = ROOT
+    remappings: tuple[tuple[str, str], ...] = ()
     seed: int = parameter(
         0, minimum=0, maximum=SEED_MAX, doc='Seed of all random numbers of the graph.'
     )
@@ -204,6 +208,7 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         key_file=_absolute(choices.key_file),
         keystore=_absolute(choices.keystore),
         namespace=choices.namespace,
+        remappings=choices.remappings,
         seed=choices.seed,
     )
     _ = configuration.tracker

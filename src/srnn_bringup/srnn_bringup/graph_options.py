@@ -15,6 +15,7 @@ from srnn_bringup.options import (
     add_namespace,
     add_network,
     add_part,
+    add_remappings,
     add_scene,
     add_seed,
     add_view,
@@ -52,6 +53,7 @@ def add_up(parser: argparse.ArgumentParser) -> None:
     """Add what `srnn up` and the launch file have: the graph with any arm, or a part of it."""
     add_graph(parser, ARMS)
     add_part(parser)
+    add_remappings(parser)
     parser.add_argument(
         '--emulator', action='store_true',
         help=f"for arm '{FRI}': emulate the controller, with the MuJoCo arm behind it",
@@ -81,6 +83,7 @@ def configuration(options: argparse.Namespace) -> Configuration:
             key_file=options.key,
             keystore=options.secure,
             namespace=options.namespace,
+            remappings=getattr(options, 'remap', ()),
         )
     )
     if told.keystore is not None:

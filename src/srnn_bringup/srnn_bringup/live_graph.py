@@ -182,7 +182,7 @@ class LiveGraph:
         told = self._configuration
         return command(
             description, self._files[description.name], told.keystore, autostart, paused,
-            namespace=told.namespace,
+            namespace=told.namespace, remappings=told.remappings,
         )  # fmt: skip
 
     def _deactivate(self) -> None:
@@ -234,14 +234,17 @@ def command(
     paused: bool = False,
     member: str | None = None,
     namespace: str = ROOT,
+    remappings: Sequence[tuple[str, str]] = (),
 ) -> Command:
-    """Return the process of a node with its parameter file, in the namespace of the graph.
+    """Return the process of a node with its parameter file, in a namespace.
 
     If there is a keystore, its enclave is that of `member`, if it has none of its own.
     """
     arguments: tuple[str, ...] = (
         '--ros-args', '--params-file', str(parameters), '-r', f'__ns:={namespace}',
     )  # fmt: skip
+    for name, other in remappings:
+        arguments += ('-r', f'{name}:={other}')
     if autostart:
         arguments += ('-p', 'autostart:=true', '-p', f'paused:={str(paused).lower()}')
     enclave = security_arguments(member or description.name, keystore)

@@ -23,6 +23,8 @@ VIEW_PORT = 8080
 _NAMESPACE = re.compile(r'(/[A-Za-z_](_?[A-Za-z0-9])*_?)+')
 """Of two underscores in a row ROS makes no name."""
 
+_REMAPPING = re.compile(r'([\w~/]+):=([\w~/]+)')
+
 
 def add_scene(parser: argparse.ArgumentParser) -> None:
     """Add the choice of a scene."""
@@ -74,6 +76,14 @@ def add_namespace(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--namespace', type=namespace, default=ROOT, metavar='NAMESPACE',
         help='ROS namespace of all nodes of the graph (default: %(default)s)',
+    )
+
+
+def add_remappings(parser: argparse.ArgumentParser) -> None:
+    """Add other names for topics and services."""
+    parser.add_argument(
+        '--remap', type=remappings, default=(), metavar='FROM:=TO[,FROM:=TO...]',
+        help='other names for topics and services of the nodes (default: none)',
     )
 
 
@@ -139,6 +149,16 @@ def namespace(text: str) -> str:
             "of which begins with a digit, with '/' between them"
         )
     return full
+
+
+def remappings(text: str) -> tuple[tuple[str, str], ...]:
+    """Read pairs of the name of a topic or service and the name to use instead."""
+    pairs = [_REMAPPING.fullmatch(rule.strip()) for rule in text.split(',')]
+    if None in pairs:
+        raise argparse.ArgumentTypeError(
+            f"{text!r}: must be FROM:=TO, two names of topics or services, with ',' between pairs"
+        )
+    return tuple((pair[1], pair[2]) for pair in pairs if pair)
 
 
 def rate(text: str) -> float:

@@ -45,6 +45,8 @@ from srnn_bringup.report import Outputs
         ('resume --only planner', "unknown argument '--only'"),
         ('up --namespace 1a', "'1a': must be a ROS namespace: words of letters"),
         ('up --namespace a__b', "'a__b': must be a ROS namespace"),
+        ('up --remap weights', "'weights': must be FROM:=TO"),
+        ('up --remap weights:=/a/weights,', "'weights:=/a/weights,': must be FROM:=TO"),
         ('pause --namespace a/', "'a/': must be a ROS namespace"),
         ('record', 'the following arguments are required: BAG'),
         ('record /', "'/': is there already; name a new directory"),
