@@ -22,7 +22,7 @@ setup(
         (f'share/{PACKAGE}', ['package.xml']),
         (f'share/{PACKAGE}/models', sorted(glob(f'{PACKAGE}/models/*'))),
     ],
-    install_requires=['setuptools', 'mujoco>=3.12,<4', 'numba', 'numpy'],
+    install_requires=['setuptools', 'llvmlite', 'mujoco>=3.12,<4', 'numba', 'numpy'],
     extras_require={'test': ['hypothesis', 'pytest']},
     zip_safe=False,
 )

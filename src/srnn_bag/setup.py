@@ -20,6 +20,6 @@ setup(
         (f'share/{PACKAGE}', ['package.xml']),
     ],
     install_requires=['setuptools', 'PyYAML', 'lz4', 'mcap', 'zstandard'],
-    extras_require={'test': ['hypothesis', 'mcap-ros2-support', 'pytest', 'rosbags']},
+    extras_require={'test': ['hypothesis', 'mcap-ros2-support', 'numpy', 'pytest', 'rosbags']},
     zip_safe=False,
 )

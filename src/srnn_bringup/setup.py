@@ -37,7 +37,7 @@ setup(
         (f'share/{PACKAGE}/config/scenes', files(CONFIG / 'scenes', '*.yaml')),
         (f'share/{PACKAGE}/launch', files(HERE / 'launch', '*.launch.py')),
     ],
-    install_requires=['setuptools', 'cryptography', 'matplotlib', 'numpy', 'tqdm'],
+    install_requires=['setuptools', 'PyYAML', 'cryptography', 'matplotlib', 'numpy', 'tqdm'],
     extras_require={'test': ['hypothesis', 'pytest']},
     zip_safe=False,
     entry_points={

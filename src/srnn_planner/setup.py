@@ -19,7 +19,7 @@ setup(
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
     ],
-    install_requires=['setuptools', 'numba', 'numpy'],
+    install_requires=['setuptools', 'llvmlite', 'numba', 'numpy'],
     extras_require={'test': ['hypothesis', 'pytest']},
     zip_safe=False,
     entry_points={

@@ -19,7 +19,9 @@ setup(
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
     ],
-    install_requires=['setuptools', 'mujoco>=3.12,<4', 'numpy', 'trimesh', 'viser>=1.1,<2'],
+    install_requires=[
+        'setuptools', 'matplotlib', 'mujoco>=3.12,<4', 'numpy', 'trimesh', 'viser>=1.1,<2',
+    ],
     extras_require={'test': ['pytest']},
     zip_safe=False,
     entry_points={'console_scripts': ['view = srnn_view.view_node:main']},
