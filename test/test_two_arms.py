@@ -48,7 +48,8 @@ class Ear:
         self._node.create_subscription(kind, full, take, profile(row.qos))
 
     def learned(self) -> bool:
-        return bool(self.weights and self.weights[-1].version and self.beliefs)
+        weights, beliefs = self.weights, self.beliefs
+        return bool(weights and weights[-1].version and beliefs and beliefs[-1][0].any())
 
 
 @pytest.fixture
