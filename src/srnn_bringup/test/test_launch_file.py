@@ -4,6 +4,7 @@
 import argparse
 import os
 from pathlib import Path
+import re
 import runpy
 import sys
 from types import ModuleType, SimpleNamespace
@@ -17,9 +18,11 @@ from srnn_bringup.environment import graph_environment
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph import describe
 from srnn_bringup.graph_options import add_up
-from srnn_bringup.launch_arguments import launch_arguments
+from srnn_bringup.launch_arguments import launch_arguments, refuse_unknown
 from srnn_bringup.record import RECORDING
 
+ROOT = Path(__file__).parents[3]
+PAGES = (ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md')))
 FILE = Path(__file__).parents[1] / 'launch' / 'srnn.launch.py'
 
 
@@ -170,3 +173,9 @@ def test_nothing_is_started_before_it_can_be_recorded(launch_file, tmp_path):
     assert start(SimpleNamespace(text=b'hello')) is None
     nodes = start(SimpleNamespace(text=f'{RECORDING} bag'.encode()))
     assert [node.named['name'] for node in nodes][-1] == 'planner'
+
+
+@pytest.mark.parametrize('page', PAGES, ids=lambda page: page.name)
+def test_the_documentation_names_arguments_that_there_are(page):
+    for words in re.findall(r'srnn\.launch\.py((?: \w+:=\S+)+)', page.read_text()):
+        refuse_unknown(word.partition(':=')[0] for word in words.split())
