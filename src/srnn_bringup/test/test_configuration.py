@@ -150,8 +150,10 @@ def place(prefix: Path) -> Path:
 def test_files_of_the_source_tree_go_before_installed_copies(monkeypatch, tmp_path):
     monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
     installed = place(tmp_path)
-    assert config_directory() != installed
-    assert (config_directory().parent / 'src' / 'srnn_bringup').is_dir()
+    # Where colcon tests what is installed, the module beside this test is not that of the import.
+    here = config_directory(Path(__file__).parents[1] / 'srnn_bringup/config_lookup.py')
+    assert here != installed
+    assert (here.parent / 'src' / 'srnn_bringup').is_dir()
     assert config_directory(tmp_path / 'site-packages/srnn_bringup/config.py') == installed
 
 
