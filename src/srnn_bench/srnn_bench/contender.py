@@ -11,6 +11,7 @@ from typing import Any, Generic, TypeVar
 from srnn_bench.errors import ChoiceError, PeerError
 from srnn_bench.peers import NOT_INSTALLED, Peer
 from srnn_bench.remote import Remote
+from srnn_config.nearest import did_you_mean
 
 T = TypeVar('T')
 
@@ -124,4 +125,5 @@ def check_names(names: Iterable[str], valid: Iterable[str]) -> None:
     known = tuple(valid)
     for name in names:
         if name not in known:
-            raise ChoiceError(f'unknown row {name!r}; rows: {", ".join(known)}')
+            hint = did_you_mean(name, known)
+            raise ChoiceError(f'unknown row {name!r}{hint}; rows: {", ".join(known)}')

@@ -117,7 +117,8 @@ def test_slow_rows_have_a_single_run_in_some_of_the_rounds():
 
 
 def test_an_unknown_row_is_refused_with_all_there_are():
-    with pytest.raises(BenchError, match=r"unknown row 'brain2'; rows: .*nest.*mppi"):
+    words = r"unknown row 'brain2' \(did you mean 'brian2-cpp'\?\); rows: .*nest.*mppi"
+    with pytest.raises(BenchError, match=words):
         Asked(SCENE, 1, 0, ('numpy', 'brain2'), '')
     assert len(set(NAMES)) == len(NAMES) == 16
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where the files of the configuration are."""
 
-import difflib
 import os
 from pathlib import Path
 import sys
 
 from srnn_bringup.errors import ChoiceError, ConfigDirectoryError
+from srnn_config.nearest import did_you_mean
 
 _PLACE = Path('share', 'srnn_bringup', 'config')
 
@@ -71,8 +71,7 @@ def _find(kind: str, choice: str, directory: Path, names: list[str]) -> Path:
     path = Path(choice)
     if path.is_file():
         return path.resolve()
-    near = difflib.get_close_matches(choice, names, n=1)
-    hint = f" (did you mean '{near[0]}'?)" if near else ''
+    hint = did_you_mean(choice, names)
     raise ChoiceError(
         f"no {kind} '{choice}'{hint}; valid: the path of a {kind} file, or {', '.join(names)}"
     )

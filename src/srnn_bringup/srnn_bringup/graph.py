@@ -2,7 +2,6 @@
 """The graph as data: its nodes, where they live, and what each of them is told."""
 
 from collections.abc import Collection, Sequence
-import difflib
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ from srnn_bringup.config import Configuration
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.node_description import NodeDescription
 from srnn_config import to_mapping
+from srnn_config.nearest import did_you_mean
 
 BRAIN = ('tracker', 'adapter', 'planner')
 """The nodes that are the same for every arm."""
@@ -85,8 +85,7 @@ def part(text: str) -> tuple[str, ...]:
     chosen = [name.strip() for name in text.split(',')]
     for name in chosen:
         if name not in NAMES:
-            near = difflib.get_close_matches(name, NAMES, n=1)
-            hint = f" (did you mean '{near[0]}'?)" if near else ''
+            hint = did_you_mean(name, NAMES)
             raise ChoiceError(f'unknown node {name!r}{hint}; nodes: {", ".join(NAMES)}')
     return tuple(name for name in NAMES if name in chosen)
 

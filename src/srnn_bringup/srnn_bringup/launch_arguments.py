@@ -4,13 +4,13 @@
 import argparse
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-import difflib
 import re
 from typing import NoReturn
 
 from srnn_bringup.config_lookup import config_directory, network_names, scene_names
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph_options import add_up
+from srnn_config.nearest import did_you_mean
 
 _OF_LAUNCH = ('launch-prefix', 'launch-prefix-filter')
 """Arguments that `ros2 launch` itself adds."""
@@ -81,8 +81,7 @@ def refuse_unknown(names: Iterable[str]) -> None:
     known = [action.dest for action in _parser()._actions]
     for name in names:
         if name not in (*known, *_OF_LAUNCH):
-            near = difflib.get_close_matches(name, known, n=1)
-            hint = f" (did you mean '{near[0]}'?)" if near else ''
+            hint = did_you_mean(name, known)
             raise ChoiceError(f"unknown argument '{name}'{hint}; arguments: {', '.join(known)}")
 
 

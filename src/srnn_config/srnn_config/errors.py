@@ -2,7 +2,8 @@
 """Errors of the configuration package: one base, one class per mistake."""
 
 from collections.abc import Iterable
-import difflib
+
+from srnn_config.nearest import did_you_mean
 
 
 class ConfigError(Exception):
@@ -24,7 +25,6 @@ class UnknownKeyError(ConfigError, ValueError):
         """Name the place, the key and the valid keys, the nearest one first."""
         self.key = key
         self.valid = tuple(valid)
-        near = difflib.get_close_matches(str(key), self.valid, n=1)
-        hint = f" (did you mean '{near[0]}'?)" if near else ''
+        hint = did_you_mean(str(key), self.valid)
         valid_keys = ', '.join(self.valid)
         super().__init__(f"{where}: unknown key '{key}'{hint}; valid keys: {valid_keys}")
