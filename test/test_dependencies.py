@@ -27,6 +27,7 @@ ROSDEP_KEYS = {
     'numpy': 'python3-numpy',
     'pytest': 'python3-pytest',
     'rosbags': 'python3-rosbags-pip',
+    'shtab': 'python3-shtab',
     'threadpoolctl': 'python3-threadpoolctl',
     'tqdm': 'python3-tqdm',
     'trimesh': 'python3-trimesh-pip',

@@ -37,7 +37,9 @@ setup(
         (f'share/{PACKAGE}/config/scenes', files(CONFIG / 'scenes', '*.yaml')),
         (f'share/{PACKAGE}/launch', files(HERE / 'launch', '*.launch.py')),
     ],
-    install_requires=['setuptools', 'PyYAML', 'cryptography', 'matplotlib', 'numpy', 'tqdm'],
+    install_requires=[
+        'setuptools', 'PyYAML', 'cryptography', 'matplotlib', 'numpy', 'shtab', 'tqdm',
+    ],
     extras_require={'test': ['hypothesis', 'pytest']},
     zip_safe=False,
     entry_points={

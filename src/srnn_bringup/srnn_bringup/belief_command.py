@@ -4,10 +4,13 @@
 import argparse
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from srnn_bringup.errors import ChoiceError
+from srnn_bringup.exit_codes import DONE
 from srnn_bringup.options import new_file, picture_file
+from srnn_bringup.speech import write_document
+from srnn_bringup.speech_options import add_json
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core import belief, weights_file
 from srnn_planner.core.synapses import Synapses
@@ -32,6 +35,7 @@ def add_belief_actions(table: 'argparse._SubParsersAction[Parser]') -> 'dict[str
 
     parser = add('list', 'Every version in a bag, and what it has changed.', _list)
     parser.add_argument('source', metavar='SOURCE', help=SOURCE)
+    add_json(parser, 'the same')
     parser = add('show', 'Draw what was learned since the prior.', _show)
     parser.add_argument('source', metavar='SOURCE', help=SOURCE)
     parser.add_argument('picture', type=picture_file, metavar='PICTURE', help='file to write')
@@ -39,6 +43,7 @@ def add_belief_actions(table: 'argparse._SubParsersAction[Parser]') -> 'dict[str
     parser.add_argument('one', metavar='SOURCE', help=SOURCE)
     parser.add_argument('other', metavar='OTHER', help=SOURCE)
     parser.add_argument('--picture', type=picture_file, metavar='FILE', help='file to write')
+    add_json(parser, 'the same')
     parser = add('revert', 'Undo one update; what came later stays.', _revert)
     parser.add_argument('source', metavar='BAG@N', help='the update that led to version N')
     parser.add_argument('weights', type=new_file, metavar='FILE', help='weights to write')
@@ -55,12 +60,18 @@ def _list(options: argparse.Namespace) -> int:
     source, _ = read(options.source)
     began = source.versions[0].shared_ns
     print(_row(HEADING))
+    rows = []
     for version in source.versions:
         before = source.synapses(source.before(version))
         found = belief.change(before, source.synapses(version))
-        after = f'{1e-9 * (version.shared_ns - began):.1f} s' if version.shared_ns else '-'
+        after_s = 1e-9 * (version.shared_ns - began) if version.shared_ns else None
+        after = '-' if after_s is None else f'{after_s:.1f} s'
         print(_row((str(version.weights.version), after, *_words(source, found))))
-    return 0
+        number = int(version.weights.version)
+        rows.append({'version': number, 'after_s': after_s, **_figures(source, found)})
+    if options.json is not None:
+        write_document(options.json, {'versions': rows})
+    return DONE
 
 
 def _show(options: argparse.Namespace) -> int:
@@ -69,7 +80,7 @@ def _show(options: argparse.Namespace) -> int:
     source, version = read(options.source)
     title = f'version {version.weights.version} against the prior'
     _draw(source, source.prior, version, title, options.picture)
-    return 0
+    return DONE
 
 
 def _diff(options: argparse.Namespace) -> int:
@@ -79,9 +90,11 @@ def _diff(options: argparse.Namespace) -> int:
     found = belief.change(source.synapses(one), source.synapses(other))
     print(_row(HEADING[2:]))
     print(_row(_words(source, found)))
+    if options.json is not None:
+        write_document(options.json, _figures(source, found))
     if options.picture is not None:
         _draw(source, one, other, f'{options.other} against {options.one}', options.picture)
-    return 0
+    return DONE
 
 
 def _revert(options: argparse.Namespace) -> int:
@@ -94,7 +107,7 @@ def _revert(options: argparse.Namespace) -> int:
     versions = newest, source.before(version), version
     synapses = belief.undone(*map(source.synapses, versions))
     _save(options.weights, newest.weights.version + 1, synapses)
-    return 0
+    return DONE
 
 
 def _merge(options: argparse.Namespace) -> int:
@@ -103,7 +116,7 @@ def _merge(options: argparse.Namespace) -> int:
     (source, one), (_, other) = read(options.one), read(options.other)
     synapses = belief.merged(source.synapses(one), source.synapses(other))
     _save(options.weights, max(one.weights.version, other.weights.version) + 1, synapses)
-    return 0
+    return DONE
 
 
 def _save(path: Path, version: int, synapses: Synapses) -> None:
@@ -129,6 +142,16 @@ def _draw(source: 'Belief', before: 'Version', after: 'Version', title: str, pat
         axes.set_aspect('equal')
         figure.savefig(path)
     print(f'picture: {path}')
+
+
+def _figures(source: 'Belief', found: belief.Change) -> dict[str, Any]:
+    """Return a change as plain data for JSON; the place [m] is None where nothing changed."""
+    metres = source.model.workspace.to_metres(found.centre)
+    return {
+        'synapses': int(found.synapses),
+        'largest': float(found.largest),
+        'where_m': [float(x) for x in metres] if found.synapses else None,
+    }
 
 
 def _words(source: 'Belief', found: belief.Change) -> tuple[str, str, str]:

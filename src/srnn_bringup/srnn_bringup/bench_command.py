@@ -2,13 +2,14 @@
 """`srnn bench`: the planner beside other simulators and other planners."""
 
 import argparse
-import json
 import shlex
-import sys
 
 from srnn_bench.bench import NAMES, REPEATS, Asked, run_bench
 from srnn_bringup.config_lookup import config_directory, find_scene
+from srnn_bringup.exit_codes import DONE
 from srnn_bringup.options import add_scene, add_seed, new_file, whole
+from srnn_bringup.speech import remark, write_document
+from srnn_bringup.speech_options import add_json
 from srnn_config.scene import load_scene
 
 REPEATS_MAX = 10_000
@@ -27,7 +28,7 @@ def add_bench(parser: argparse.ArgumentParser) -> None:
         help=f'rows to measure: {", ".join(NAMES)} (default: all)',
     )
     parser.add_argument('--out', type=new_file, metavar='FILE', help='tables to write')
-    parser.add_argument('--json', type=new_file, metavar='FILE', help='figures to write')
+    add_json(parser)
     parser.set_defaults(run=_run)
 
 
@@ -42,13 +43,11 @@ def _run(options: argparse.Namespace) -> int:
     if options.only:
         line += ['--only', ','.join(options.only)]
     asked = Asked(scene, options.repeats, options.seed, options.only, shlex.join(line))
-    results = run_bench(asked, lambda text: print(text, file=sys.stderr))
+    results = run_bench(asked, remark)
     text = results.markdown()
     print(text)
     if options.out is not None:
         options.out.write_text(text, encoding='utf-8')
     if options.json is not None:
-        options.json.write_text(
-            json.dumps(results.document(), indent=2, allow_nan=False) + '\n', encoding='utf-8'
-        )
-    return 0
+        write_document(options.json, results.document())
+    return DONE

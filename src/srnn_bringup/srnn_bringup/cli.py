@@ -13,10 +13,14 @@ from srnn_bench.errors import BenchError
 from srnn_bringup.arms import ARMS
 from srnn_bringup.belief_command import add_belief_actions
 from srnn_bringup.bench_command import add_bench
-from srnn_bringup.command_line import WRONG_USE, Parser
+from srnn_bringup.command_line import Parser
+from srnn_bringup.completion_command import add_completion
 from srnn_bringup.config import FRI, SIMULATED
+from srnn_bringup.doctor_command import add_doctor
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import BringupError
+from srnn_bringup.examples import epilog
+from srnn_bringup.exit_codes import FAILED, MEANINGS, WRONG_USE, by_signal
 from srnn_bringup.experiment_options import add_experiments
 from srnn_bringup.graph_options import add_graph, add_up, configuration
 from srnn_bringup.key_command import add_key_actions
@@ -26,12 +30,13 @@ from srnn_bringup.options import (
     add_namespace,
     add_peers,
     new_bag,
-    new_file,
     picture_file,
     whole,
 )
 from srnn_bringup.replay_command import add_replay
 from srnn_bringup.report_command import add_report
+from srnn_bringup.speech import speaking
+from srnn_bringup.speech_options import add_json, add_quiet
 from srnn_config import ConfigError
 from srnn_experiments.errors import ExperimentError
 from srnn_planner.core.errors import SrnnError
@@ -45,6 +50,9 @@ _MISTAKES = (
     AccessError, BagError, BenchError, BringupError, ConfigError, ExperimentError, SrnnError,
 )  # fmt: skip
 
+_ONLY_WORDS = ('belief list', 'belief diff', 'completion')
+"""The commands that only say something: quiet, they would be of no use."""
+
 _ENVIRONMENT = """\
 The graph uses ROS_DOMAIN_ID as it finds it, and stays on this host unless other hosts
 are named or ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. SRNN_REALTIME_PRIORITY sets the
@@ -53,34 +61,41 @@ priority of the nodes that move the arm, 0 for none.
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command and return its exit code: 2 for a wrong command line or file."""
-    parser, commands = _parsers()
+    """Run the command and return its exit code, see `srnn_bringup.exit_codes`."""
+    parser, commands = parsers()
     options, unknown = parser.parse_known_args(arguments)
     chosen = (options.command, getattr(options, 'action', None))
     commands.get(' '.join(filter(None, chosen)), parser).refuse_unknown(unknown)
+    quiet, document = getattr(options, 'quiet', False), getattr(options, 'json', None)
     try:
-        return int(options.run(options))
+        with speaking(quiet, document):
+            code = int(options.run(options))
+            sys.stdout.flush()
+            return code
     except _MISTAKES as error:
         print(f'srnn {options.command}: {error}', file=sys.stderr)
         return WRONG_USE
+    except BrokenPipeError:
+        # Whoever read the output has had enough; the interpreter flushes it once more at its end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return by_signal('SIGPIPE')
     except OSError as error:
         print(f'srnn {options.command}: {error}', file=sys.stderr)
-        return 1
+        return FAILED
     except KeyboardInterrupt:
-        return 130
+        return by_signal('SIGINT')
 
 
-def _parsers() -> tuple[Parser, dict[str, Parser]]:
+def parsers() -> tuple[Parser, dict[str, Parser]]:
+    """Return the parser of the command line, and those of all commands by name."""
     parser = Parser(
         prog='srnn',
         description='An arm that plans while it moves, and learns by touch.',
-        allow_abbrev=False,
     )
     table = parser.add_subparsers(dest='command', metavar='COMMAND', required=True)
     commands: dict[str, Parser] = {
         name: table.add_parser(
-            name, help=text, description=text, allow_abbrev=False,
-            epilog=_ENVIRONMENT, formatter_class=argparse.RawDescriptionHelpFormatter,
+            name, help=text, description=text, epilog=_ENVIRONMENT
         )
         for name, text in (
             ('demo', 'Learn an obstacle live on the simulated arm, and report.'),
@@ -91,11 +106,12 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
             ('replay', 'Decide again what a recorded run has decided, and compare bit for bit.'),
             ('report', 'A recorded run, or the results of an experiment, as one web page.'),
             ('belief', 'What a run has learned: look at it, undo it, put it together.'),
-            ('doctor', 'Say what is installed, what is missing, and what rights there are.'),
+            ('doctor', 'Find what is wrong with this machine, and say what to do about it.'),
             ('key', 'Make the key by which the nodes know each other.'),
             ('keystore', 'Keys and permissions of the graph, for a middleware with DDS security.'),
             ('experiment', 'Many trials on simulated time: runs and tables.'),
             ('bench', 'The planner beside other simulators and planners, timed in turn.'),
+            ('completion', 'The script by which a shell completes commands and options.'),
         )
     }  # fmt: skip
     _add_demo(commands['demo'])
@@ -115,7 +131,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     for name in ('pause', 'resume', 'record'):
         add_keystore(commands[name])
         add_namespace(commands[name])
-    commands['doctor'].set_defaults(run=_doctor)
+    add_doctor(commands['doctor'])
+    add_completion(commands['completion'], parser)
     for command, metavar, add in (
         ('experiment', 'EXPERIMENT', add_experiments),
         ('belief', 'ACTION', add_belief_actions),
@@ -127,6 +144,12 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
         )
         for name, action in add(actions).items():
             commands[f'{command} {name}'] = action
+    for name, command_parser in {'': parser, **commands}.items():
+        if not command_parser.has_actions and name not in _ONLY_WORDS:
+            add_quiet(command_parser)
+        remarks = (command_parser.epilog or '', MEANINGS)
+        command_parser.epilog = epilog(name, *filter(None, remarks))
+        command_parser.formatter_class = argparse.RawDescriptionHelpFormatter
     return parser, commands
 
 
@@ -139,7 +162,7 @@ def _add_demo(parser: Parser) -> None:
         '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
         help='segments to execute (default: %(default)s, about three minutes)',
     )
-    parser.add_argument('--json', type=new_file, metavar='FILE', help='figures to write')
+    add_json(parser)
     parser.add_argument(
         '--picture', type=picture_file, default=Path('demo.png'), metavar='FILE',
         help='picture to write (default: %(default)s)',
@@ -182,12 +205,6 @@ def _record(options: argparse.Namespace) -> int:
     from srnn_bringup.record import run_record
 
     return run_record(options.bag, options.peer, options.secure, options.namespace)
-
-
-def _doctor(_: argparse.Namespace) -> int:
-    from srnn_bringup.doctor import run_doctor
-
-    return run_doctor(print)
 
 
 if __name__ == '__main__':

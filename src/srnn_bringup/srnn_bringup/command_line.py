@@ -1,27 +1,77 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is wrong with a command line, in one line."""
+"""What is wrong with a command line, in one line; what it may say, in sections."""
 
 import argparse
 from collections.abc import Sequence
-import difflib
-from typing import NoReturn
+from typing import Any, NoReturn
 
-WRONG_USE = 2
-"""Exit code after a wrong command line or file."""
+from srnn_bringup.exit_codes import WRONG_USE
+from srnn_bringup.sections import SECTIONS, section_of
+from srnn_config.nearest import did_you_mean
 
 
 class Parser(argparse.ArgumentParser):
-    """Says in one line what is wrong with a command line."""
+    """Says in one line what is wrong with a command line, and shows options in sections."""
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        """Take what `argparse.ArgumentParser` takes."""
+        self._sections: dict[str, argparse._ArgumentGroup] = {}
+        options.setdefault('allow_abbrev', False)
+        super().__init__(*arguments, **options)
+        self._sections = {title: self.add_argument_group(title) for title in SECTIONS}
+
+    @property
+    def has_actions(self) -> bool:
+        """Tell whether another command follows."""
+        return self._subparsers is not None
+
+    def section(self, title: str) -> 'argparse._ArgumentGroup':
+        """Return a section of the help, see `srnn_bringup.sections`."""
+        return self._sections[title]
+
+    def add_argument(self, *names: str, **options: Any) -> argparse.Action:
+        """Add an argument, to the section that its name belongs to."""
+        title = section_of(names)
+        if title in self._sections:
+            return self._sections[title].add_argument(*names, **options)
+        return super().add_argument(*names, **options)
 
     def error(self, message: str) -> NoReturn:
         """Name the mistake and end with exit code 2."""
         self.exit(WRONG_USE, f'{self.prog}: {message}; see {self.prog} --help\n')
+
+    def parse_known_args(  # type: ignore[override]
+        self, args: Sequence[str] | None = None, namespace: Any = None
+    ) -> tuple[argparse.Namespace, list[str]]:
+        """Parse; an unknown option is told of before anything that may be missing."""
+        if args is not None and not self.has_actions:
+            self.refuse_unknown([text for text in _before_dashes(args) if self._unknown(text)])
+        return super().parse_known_args(args, namespace)
 
     def refuse_unknown(self, arguments: Sequence[str]) -> None:
         """Name the first argument that nobody knows, with the options there are."""
         if not arguments:
             return
         options = sorted(o for o in self._option_string_actions if o.startswith('--'))
-        near = difflib.get_close_matches(arguments[0].partition('=')[0], options, n=1)
-        hint = f" (did you mean '{near[0]}'?)" if near else ''
+        hint = did_you_mean(arguments[0].partition('=')[0], options)
         self.error(f"unknown argument '{arguments[0]}'{hint}; options: {', '.join(options)}")
+
+    def _unknown(self, text: str) -> bool:
+        """Tell whether a text can only be an option, and is none of ours."""
+        return text.startswith('--') and text.partition('=')[0] not in self._option_string_actions
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """Refuse what is none of the choices, with the one that is nearest."""
+        if action.choices is None or value in action.choices:
+            return
+        valid = [str(choice) for choice in action.choices]
+        listed = ', '.join(map(repr, valid))
+        hint = did_you_mean(str(value), valid)
+        raise argparse.ArgumentError(
+            action, f"invalid choice: '{value}'{hint}; choose from {listed}"
+        )
+
+
+def _before_dashes(arguments: Sequence[str]) -> Sequence[str]:
+    """Return the arguments before a ``--``, behind which nothing is an option."""
+    return arguments[: arguments.index('--')] if '--' in arguments else arguments

@@ -3,13 +3,13 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-import signal
 import sys
 import time
 
 from srnn_bringup.config import Configuration
 from srnn_bringup.console import Console
 from srnn_bringup.errors import BringupError, Interrupted, NotReadyError
+from srnn_bringup.exit_codes import DONE, FAILED, by_signal
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.observer import Observer
 from srnn_bringup.recorder import Recorder, start_recording
@@ -23,8 +23,6 @@ DISCOVERY_S = 15.0
 
 SILENCE_S = 30.0
 """A run in which no segment ends for this long has failed [s]."""
-
-FAILED = 1
 
 
 @dataclass
@@ -59,15 +57,14 @@ def run_demo(
         view: port of a page that shows the run; None for no page.
 
     Returns:
-        Exit code: 0 after all segments, 1 after a failure, 128 + signal number when
-        interrupted.
+        Exit code, see `srnn_bringup.exit_codes`: 0 after all segments.
 
     """
     console = Console(sys.stdout)
     recorder = start_recording(configuration)
     progress = Progress()
     names: tuple[str, ...] = ()
-    code = 0
+    code = DONE
     with StopRequest() as stop:
         try:
             with (
@@ -78,7 +75,7 @@ def run_demo(
                 observer = Observer(graph.node, recorder, configuration.key())
                 _run(graph, observer, console, progress, segments)
         except Interrupted as wish:
-            code = 128 + signal.Signals[str(wish)]
+            code = by_signal(str(wish))
             console.note(f'stopped by {wish}')
         except BringupError as error:
             code = FAILED

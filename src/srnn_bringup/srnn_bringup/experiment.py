@@ -3,14 +3,12 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-import json
 from pathlib import Path
-import sys
 from typing import Any
 
-from tqdm import tqdm
-
 from srnn_bringup.config import Configuration
+from srnn_bringup.exit_codes import DONE
+from srnn_bringup.speech import STDOUT, progress, write_document
 from srnn_experiments.agent import Brain
 from srnn_experiments.campaign import Job, Scheduler, run_jobs, trials
 from srnn_experiments.document import experiment_document
@@ -33,7 +31,7 @@ class Experiment:
         agent: network, oracle or grid.
         workers: processes on this machine; None for one per core.
         scheduler: address of a Dask scheduler; None for this machine.
-        json: file for the figures; None for none.
+        json: file for the figures, or `STDOUT`; None for none.
         save_weights: file for the weights at the end of the first trial.
 
     """
@@ -77,7 +75,7 @@ def run_with_progress(
     jobs: Sequence[Job], scheduler: Scheduler, store: TrialStore, title: str
 ) -> list[dict[str, Any]]:
     """Do jobs and show on the terminal how far they are."""
-    with tqdm(total=len(jobs), desc=title, unit='trial', file=sys.stderr) as bar:
+    with progress(len(jobs), title, 'trial') as bar:
         return run_jobs(jobs, scheduler, store, bar.update)
 
 
@@ -95,7 +93,7 @@ def run_experiment(
 
     """
     setting = base_setting(configuration, asked.segments, asked.world, asked.agent)
-    partial = asked.json.with_name(asked.json.name + '.partial') if asked.json else None
+    partial = _partial(asked.json)
     jobs = trials(setting, range(asked.seed, asked.seed + asked.trials))
     if asked.save_weights is not None:
         jobs[0] = Job(setting, asked.seed, keep={'weights'})
@@ -111,13 +109,19 @@ def run_experiment(
         asked.seed, asked.world, done,
     )
     if asked.json is not None:
-        asked.json.write_text(json.dumps(report, indent=2, allow_nan=False) + '\n')
+        write_document(asked.json, report)
         say(f'figures: {asked.json}')
     if partial is not None:
         partial.unlink(missing_ok=True)
     for line in summary_lines(report):
         say(line)
-    return 0
+    return DONE
+
+
+def _partial(document: Path | None) -> Path | None:
+    if document is None or document == STDOUT:
+        return None
+    return document.with_name(document.name + '.partial')
 
 
 def summary_lines(report: dict[str, Any]) -> list[str]:

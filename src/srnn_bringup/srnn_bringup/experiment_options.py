@@ -16,6 +16,8 @@ from srnn_bringup.options import (
     new_file,
     whole,
 )
+from srnn_bringup.sections import EXECUTION
+from srnn_bringup.speech_options import add_json
 from srnn_experiments.evaluation.trials import LONG
 from srnn_experiments.random_scenes_report import HELD_OUT
 from srnn_experiments.setting import AGENTS, WORLDS
@@ -53,7 +55,7 @@ def add_experiments(
     return parsers
 
 
-def _add_common(parser: argparse.ArgumentParser, trials: int) -> None:
+def _add_common(parser: Parser, trials: int) -> None:
     add_scene(parser)
     parser.add_argument(
         '--trials', type=whole(1, TRIALS_MAX), default=trials, metavar='M',
@@ -63,13 +65,13 @@ def _add_common(parser: argparse.ArgumentParser, trials: int) -> None:
     _add_execution(parser)
 
 
-def _add_execution(parser: argparse.ArgumentParser) -> None:
+def _add_execution(parser: Parser) -> None:
     """Add how long trials are, and where they are done."""
     parser.add_argument(
         '--segments', type=whole(1, SEGMENTS_MAX), default=SEGMENTS, metavar='N',
         help='length of a trial (default: %(default)s)',
     )
-    where = parser.add_mutually_exclusive_group()
+    where = parser.section(EXECUTION).add_mutually_exclusive_group()
     where.add_argument(
         '--workers', type=whole(1, WORKERS_MAX), metavar='W',
         help='processes on this machine (default: one per core)',
@@ -79,14 +81,14 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_world(parser: argparse.ArgumentParser) -> None:
+def _add_world(parser: Parser) -> None:
     parser.add_argument(
         '--world', choices=WORLDS, default='mujoco',
         help='the simulated arm, or a point that stops at obstacles (default: %(default)s)',
     )
 
 
-def _add_run(parser: argparse.ArgumentParser) -> None:
+def _add_run(parser: Parser) -> None:
     _add_common(parser, trials=1)
     _add_world(parser)
     add_network(parser)
@@ -100,10 +102,10 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         '--save-weights', type=new_file, metavar='FILE',
         help='where to write the weights at the end of the first trial',
     )
-    parser.add_argument('--json', type=new_file, metavar='FILE', help='figures to write')
+    add_json(parser)
 
 
-def _add_random(parser: argparse.ArgumentParser) -> None:
+def _add_random(parser: Parser) -> None:
     parser.add_argument(
         '--first', type=whole(0, SEED_MAX), default=HELD_OUT, metavar='S',
         help='seed of the first scene, the others follow (default: %(default)s)',
@@ -118,7 +120,7 @@ def _add_random(parser: argparse.ArgumentParser) -> None:
     _add_out(parser)
 
 
-def _add_transfer(parser: argparse.ArgumentParser) -> None:
+def _add_transfer(parser: Parser) -> None:
     _add_common(parser, TRIALS)
     parser.add_argument(
         '--target', default=TARGET_SCENE, metavar='SCENE',
@@ -129,14 +131,14 @@ def _add_transfer(parser: argparse.ArgumentParser) -> None:
     _add_out(parser)
 
 
-def _add_table(parser: argparse.ArgumentParser) -> None:
+def _add_table(parser: Parser) -> None:
     _add_common(parser, TRIALS)
     _add_world(parser)
     add_network(parser, PAPER)
     _add_out(parser)
 
 
-def _add_figures(parser: argparse.ArgumentParser) -> None:
+def _add_figures(parser: Parser) -> None:
     _add_table(parser)
     parser.add_argument(
         '--long', type=whole(1, SEGMENTS_MAX), default=LONG, metavar='N',
@@ -144,7 +146,7 @@ def _add_figures(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_out(parser: argparse.ArgumentParser) -> None:
+def _add_out(parser: Parser) -> None:
     parser.add_argument(
         '--out', type=new_directory, required=True, metavar='DIR', help='directory to write to'
     )

@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 import os
 from pathlib import Path
-import signal
 import sys
 
 from rclpy.node import Node
@@ -15,6 +14,7 @@ from srnn_bringup.config import ROOT
 from srnn_bringup.console import Console
 from srnn_bringup.environment import DOMAIN_ID
 from srnn_bringup.errors import BringupError, ChoiceError, Interrupted, TransitionError
+from srnn_bringup.exit_codes import DONE, FAILED, by_signal
 from srnn_bringup.graph import NAMES, complete
 from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.live_graph import ACTIVATE_S, DEACTIVATE_S
@@ -32,8 +32,6 @@ LOOK_S = 4.0
 ANSWER_S = 8.0
 REST_S = 10.0
 """No segment takes longer than this to execute [s]."""
-
-FAILED = 1
 
 
 class RunningGraph:
@@ -122,9 +120,9 @@ def _run(
         try:
             with running_graph(f'srnn_{command}', stop, keystore, namespace) as graph:
                 action(graph, Console(sys.stdout).note)
-            return 0
+            return DONE
         except Interrupted as wish:
-            return 128 + signal.Signals[str(wish)]
+            return by_signal(str(wish))
         except BringupError as error:
             print(f'srnn {command}: {error}', file=sys.stderr, flush=True)
             return FAILED

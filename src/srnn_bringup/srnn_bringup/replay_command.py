@@ -3,36 +3,45 @@
 
 import argparse
 from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
 import math
 import os
 from pathlib import Path
-import signal
 import sys
 import tempfile
 from typing import TYPE_CHECKING, Any
 
 from srnn_bringup.arms import ARMS
-from srnn_bringup.command_line import WRONG_USE
 from srnn_bringup.config import SIMULATED, Choices, load
 from srnn_bringup.console import Console
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import Interrupted
+from srnn_bringup.exit_codes import DONE, FAILED, WRONG_USE, by_signal
 from srnn_bringup.graph import describe, write_parameters
 from srnn_bringup.options import add_network, add_seed
+from srnn_bringup.speech import progress, write_document
+from srnn_bringup.speech_options import add_json
+from srnn_config import UnknownKeyError, to_mapping
 from srnn_node.signals import StopRequest
 from srnn_planner.core import belief, weights_file
 from srnn_planner.core.dissonance import SIGNALS
+from srnn_planner.core.parameters import ModelParameters
 from srnn_replay.errors import ReplayError
 
 if TYPE_CHECKING:
+    from tqdm import tqdm
+
     from srnn_replay.counterfactual import Learnt
 
-DIFFERENT = 1
 RATES = (0.01, 1000.0)
 
 
 def run_replay(
-    bag: Path, changes: Mapping[str, Any], save: Path | None, told: Mapping[str, bytes]
+    bag: Path,
+    changes: Mapping[str, Any],
+    save: Path | None,
+    told: Mapping[str, bytes],
+    document: Path | None = None,
 ) -> int:
     """Replay a bag, or learn from it again with other parameters.
 
@@ -41,6 +50,7 @@ def run_replay(
         changes: other parameters of the model, by dotted name; none to replay.
         save: where to write the weights that other parameters would have led to.
         told: what the bag does not say of how the graph was started, see `RunOrigin`.
+        document: where to write what was found; None for nowhere.
 
     Returns:
         Exit code: 0 if all decisions are identical, 1 if one differs, 2 if they cannot be
@@ -48,23 +58,35 @@ def run_replay(
 
     """
     try:
-        return _learn(bag, changes, save) if changes else _check(bag, told)
+        if changes:
+            return _learn(bag, changes, save, document)
+        return _check(bag, told, document)
     except ReplayError as error:
         print(f'srnn replay: {error}', file=sys.stderr)
         return WRONG_USE
 
 
-def _check(bag: Path, told: Mapping[str, bytes]) -> int:
+def _check(bag: Path, told: Mapping[str, bytes], document: Path | None) -> int:
     from srnn_replay.replay import replay
 
-    found = replay(bag, told)
+    with ExitStack() as stack:
+        bars: list[tqdm[Any]] = []
+
+        def watch(done: int, total: int) -> None:
+            if not bars:
+                bars.append(stack.enter_context(progress(total, 'replay', 'node')))
+            bars[0].update(done - bars[0].n)
+
+        found = replay(bag, told, watch)
     for verdict in found.verdicts:
         print(verdict.words())
     if found.note:
         print(f'{found.note}: the last bit of a number may come out otherwise here')
     speed = found.run_s / max(found.seconds, 1e-9)
     print(f'{found.run_s:.0f} s replayed in {found.seconds:.1f} s, {speed:.0f} times as fast')
-    return 0 if found.identical else DIFFERENT
+    if document is not None:
+        write_document(document, found.document())
+    return DONE if found.identical else FAILED
 
 
 def run_publish(bag: Path, topics: Sequence[str], rate: float) -> int:
@@ -83,28 +105,40 @@ def run_publish(bag: Path, topics: Sequence[str], rate: float) -> int:
             publisher = republisher(node, bag, topics, rate)
             if not pump.until(publisher.heard, LISTENERS_S if topics else 1.0):
                 console.note('not every topic has a listener')
-            seconds = publisher.run(pump)
+            with progress(publisher.count, 'replay', 'message') as bar:
+                seconds = publisher.run(pump, bar.update)
         except Interrupted as wish:
-            return 128 + signal.Signals[str(wish)]
+            return by_signal(str(wish))
     console.note(f'published {publisher.published} messages in {seconds:.1f} s')
-    return 0
+    return DONE
 
 
-def _learn(bag: Path, changes: Mapping[str, Any], save: Path | None) -> int:
+def _learn(
+    bag: Path, changes: Mapping[str, Any], save: Path | None, document: Path | None
+) -> int:
     from srnn_replay.counterfactual import learn_again
 
-    was, would = learn_again(bag, {}), learn_again(bag, changes)
+    with progress(2, 'learning again', 'time') as bar:
+        was = learn_again(bag, {})
+        bar.update()
+        would = learn_again(bag, changes)
+        bar.update()
     print(f'as recorded: {_words(was)}')
     told = ', '.join(f'{name} = {value}' for name, value in changes.items())
     print(f'with {told}: {_words(would)}')
+    alike = None
     same_size = was.before.prior.grid.count == would.before.prior.grid.count
     if was.updates and would.updates and same_size:
         alike = belief.correlation((was.before, was.after), (would.before, would.after))
         print(f'the two changes of the weights correlate by {alike:.3f}')
+        alike = alike if math.isfinite(alike) else None
     if save is not None:
         weights_file.save(save, would.weights)
         print(f'weights: {save}')
-    return 0
+    if document is not None:
+        found = {'recorded': was.document(), 'changes': dict(changes), 'would': would.document()}
+        write_document(document, {**found, 'correlation': alike})
+    return DONE
 
 
 def _words(learnt: 'Learnt') -> str:
@@ -137,7 +171,8 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
     add_network(parser)
     add_seed(parser, 'with --scene: seed of the run')
     parser.add_argument(
-        '--arm', choices=tuple(ARMS), default=SIMULATED, help='with --scene: arm of the run'
+        '--arm', choices=tuple(ARMS), default=SIMULATED,
+        help='with --scene: arm of the run (default: %(default)s)',
     )
     parser.add_argument(
         '--publish', action='store_true',
@@ -151,11 +186,13 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
         '--rate', type=_rate, default=1.0, metavar='R',
         help='with --publish: so many times as fast as recorded (default: %(default)s)',
     )
+    add_json(parser, 'what was found')
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
     changes = dict(options.set)
+    _check_names(changes)
     if options.publish:
         check_environment(os.environ)
         return run_publish(options.bag, options.topic, options.rate)
@@ -165,7 +202,31 @@ def _run(options: argparse.Namespace) -> int:
         print('srnn replay: --save-weights needs --signal or --set', file=sys.stderr)
         return WRONG_USE
     told = {} if options.scene is None else _told(options)
-    return run_replay(options.bag, changes, options.save_weights, told)
+    return run_replay(options.bag, changes, options.save_weights, told, options.json)
+
+
+def _check_names(changes: Mapping[str, Any]) -> None:
+    """Refuse names of no parameter before the bag is read, which takes a while.
+
+    Raises:
+        ConfigError: a name is of none; the message tells the valid ones.
+
+    """
+    places = {name.rpartition('.')[0] for name in changes}
+    valid = _parameters(to_mapping(ModelParameters()), '')
+    for name in changes:
+        if name not in valid:
+            near = [known for known in valid if known.rpartition('.')[0] in places]
+            raise UnknownKeyError('--set', name, near or valid)
+
+
+def _parameters(tree: Mapping[str, Any], prefix: str) -> list[str]:
+    """Return the dotted names of all parameters."""
+    names = []
+    for name, value in tree.items():
+        inside = isinstance(value, Mapping)
+        names += _parameters(value, f'{prefix}{name}.') if inside else [prefix + name]
+    return names
 
 
 def _told(options: argparse.Namespace) -> dict[str, bytes]:

@@ -3,12 +3,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-import json
 from pathlib import Path
 
 from srnn_bringup.closing import closing_lines
 from srnn_bringup.config import Configuration
 from srnn_bringup.recorder import Recorder
+from srnn_bringup.speech import write_document
 from srnn_bringup.trial import Run, document
 from srnn_planner.core import weights_file
 from srnn_planner.core.synapses import Synapses
@@ -20,7 +20,7 @@ class Outputs:
 
     Attributes:
         picture: picture of the run.
-        json: its figures.
+        json: its figures; may be `STDOUT`.
         weights: the weights at its end.
 
     """
@@ -45,7 +45,7 @@ def write_report(
     """
     report = document(configuration, recorder, run)
     if outputs.json is not None:
-        outputs.json.write_text(json.dumps(report, indent=2, allow_nan=False) + '\n')
+        write_document(outputs.json, report)
         say(f'figures: {outputs.json}')
     if outputs.weights is not None and recorder.last_weights is not None:
         weights_file.save(outputs.weights, recorder.last_weights)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Puts the messages of a bag back on the wire, as they were, when they were."""
 
-from collections.abc import Collection, Iterator
-import difflib
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 import time
 from typing import Any
@@ -14,6 +13,7 @@ from rosgraph_msgs.msg import Clock
 from srnn_bag import Bag, Message, open_bag
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.pump import Pump
+from srnn_config.nearest import did_you_mean
 from srnn_msgs_py.errors import UnknownTopicError
 from srnn_msgs_py.qos import EVENT, Qos
 from srnn_msgs_py.ros.message_type import message_type
@@ -64,8 +64,19 @@ class Republisher:
         """Tell whether every topic has a listener."""
         return all(p.get_subscription_count() for p in self._publishers.values())
 
-    def run(self, pump: Pump) -> float:
-        """Publish everything; return how long it took [s]."""
+    @property
+    def count(self) -> int:
+        """Number of messages to publish."""
+        return len(self._messages)
+
+    def run(self, pump: Pump, tick: Callable[[], object] = lambda: None) -> float:
+        """Publish everything; return how long it took [s].
+
+        Args:
+            pump: handles events meanwhile.
+            tick: called after every message.
+
+        """
         began = time.monotonic()
         if not self._messages:
             return 0.0
@@ -78,6 +89,7 @@ class Republisher:
             told_ns = self._tell(message.received_ns, told_ns)
             self._publishers[message.topic].publish(message.data)
             self.published += 1
+            tick()
         return time.monotonic() - began
 
     def _tell(self, now_ns: int, told_ns: int) -> int:
@@ -101,8 +113,7 @@ def _find(name: str, bag: Bag) -> str:
     full = name if name.startswith('/') else f'/{name}'
     if full in bag.topics:
         return full
-    near = difflib.get_close_matches(full, bag.topics, n=1)
-    hint = f" (did you mean '{near[0]}'?)" if near else ''
+    hint = did_you_mean(full, bag.topics)
     raise ChoiceError(f"{bag.path}: has no topic '{full}'{hint}; topics: {', '.join(bag.topics)}")
 
 

@@ -2,10 +2,10 @@
 """The directory of an experiment: finished trials, and its report in all its forms."""
 
 from collections.abc import Mapping
-import json
 from pathlib import Path
 from typing import Any
 
+from srnn_bringup.speech import write_document
 from srnn_experiments.store import TrialStore
 
 
@@ -31,8 +31,7 @@ def write_results(
 
     """
     path = directory / name
-    document = json.dumps(report, indent=2, allow_nan=False) + '\n'
-    path.with_suffix('.json').write_text(document, encoding='utf-8')
+    write_document(path.with_suffix('.json'), report)
     path.with_suffix('.md').write_text(text, encoding='utf-8')
     if table is not None:
         path.with_suffix('.csv').write_text(table, encoding='utf-8')

@@ -8,6 +8,7 @@ import sys
 from srnn_bringup.config import Configuration
 from srnn_bringup.console import Console
 from srnn_bringup.errors import BringupError, Interrupted
+from srnn_bringup.exit_codes import DONE, FAILED
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.peer_profile import talking_to
 from srnn_bringup.peers import Peer
@@ -51,7 +52,7 @@ def run_up(
                     graph.pump.turn()
         except Interrupted as wish:
             console.note(f'stopped by {wish}')
-            return 0
+            return DONE
         except BringupError as error:
             print(f'srnn up: {error}', file=sys.stderr, flush=True)
-            return 1
+            return FAILED

@@ -51,11 +51,34 @@ from srnn_bringup.report import Outputs
         ('record', 'the following arguments are required: BAG'),
         ('record /', "'/': is there already; name a new directory"),
         ('demo --record /', "'/': is there already; name a new directory"),
-        ('bench --only numpy,brain2', "unknown row 'brain2'; rows: sampler, planner, numpy, "),
+        ('bench --only numpy,brain2', "unknown row 'brain2' (did you mean 'brian2-cpp'?); rows: "),
+        ('bench --only numpy,brain2', 'rows: sampler, planner, numpy, '),
         ('bench --repeats 0', 'a whole number from 1'),
         ('bench --scene four_waypoint', "did you mean 'four_waypoints'?"),
         ('bench --out /nowhere/bench.md', "no directory '/nowhere'"),
         ('doctor --all', "unknown argument '--all'"),
+        # A mistype of each kind, and the name that is nearest.
+        ('dmo', "'dmo' (did you mean 'demo'?)"),
+        ('belief lst run', "'lst' (did you mean 'list'?)"),
+        ('experiment tabel1', "'tabel1' (did you mean 'table1'?)"),
+        ('keystore crate', "'crate' (did you mean 'create'?)"),
+        ('demo --signal locl', "'locl' (did you mean 'local'?)"),
+        ('replay run --signal globl', "'globl' (did you mean 'global'?)"),
+        ('experiment run --agent netwrk', "'netwrk' (did you mean 'network'?)"),
+        ('experiment run --world mujco', "'mujco' (did you mean 'mujoco'?)"),
+        ('up --arm frii', "'frii' (did you mean 'fri'?)"),
+        ('completion bsh', "'bsh' (did you mean 'bash'?)"),
+        ('bench --scene wal', "no scene 'wal' (did you mean 'wall'?)"),
+        ('experiment transfer --target tranfer --out o', "(did you mean 'transfer'?)"),
+        ('up --network netwrk', "no network 'netwrk' (did you mean 'network'?)"),
+        ('replay run --set learning.replas=4', "'learning.replas' (did you mean 'learning.repl"),
+        ('replay run --set lerning.limit=4', "'lerning.limit' (did you mean 'learning.limit'?)"),
+        ('replay run --set limit', "'limit': must be KEY=VALUE"),
+        # What is unknown is told of before what is missing.
+        ('record --secur keystore', "unknown argument '--secur' (did you mean '--secure'?)"),
+        ('experiment table1 --ot=d', "unknown argument '--ot=d' (did you mean '--out'?)"),
+        ('belief diff run --pictur a.png', "unknown argument '--pictur' (did you mean"),
+        ('doctor --json /nowhere/a.json', "no directory '/nowhere'"),
     ],
 )
 def test_mistakes_get_one_line_that_helps_and_exit_code_2(line, words, capsys, monkeypatch):
@@ -94,7 +117,7 @@ def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):
     'command',
     [
         [], ['demo'], ['up'], ['pause'], ['resume'], ['record'], ['doctor'], ['bench'],
-        ['key', 'create'],
+        ['key', 'create'], ['completion'],
     ],
 )
 def test_help_explains_every_option(command, capsys):

@@ -51,6 +51,15 @@ class Learnt:
         """By how much the weight has changed that has changed most."""
         return abs(belief.change(self.before, self.after).largest)
 
+    def document(self) -> dict[str, Any]:
+        """Return what was learned as plain data for JSON."""
+        return {
+            'segments': self.segments,
+            'updates': list(self.updates),
+            'peaks': [float(peak) for peak in self.peaks],
+            'largest_change': float(self.largest_change),
+        }
+
 
 def learn_again(path: Path, changes: Mapping[str, Any], prefix: str | None = None) -> Learnt:
     """Learn from the experience of a recorded run, as it would have been with other parameters.

@@ -8,7 +8,7 @@ import multiprocessing
 import os
 from pathlib import Path
 import time
-from typing import Protocol
+from typing import Any, Protocol
 
 from srnn_bag import Bag, open_bag
 from srnn_replay import adapter_replay, planner_replay, tracker_replay
@@ -65,13 +65,28 @@ class Replay:
         """Tell whether every decision came out as it was recorded."""
         return all(verdict.identical for verdict in self.verdicts)
 
+    def document(self) -> dict[str, Any]:
+        """Return the findings as plain data for JSON."""
+        return {
+            'identical': self.identical,
+            'nodes': [verdict.document() for verdict in self.verdicts],
+            'run_s': self.run_s,
+            'seconds': self.seconds,
+            'note': self.note,
+        }
 
-def replay(path: Path, told: Mapping[str, bytes] | None = None) -> Replay:
+
+def replay(
+    path: Path,
+    told: Mapping[str, bytes] | None = None,
+    watch: Callable[[int, int], None] = lambda done, total: None,
+) -> Replay:
     """Make all decisions of a recorded run again.
 
     Args:
         path: a bag.
         told: see `RunOrigin`; None for nothing.
+        watch: told how many nodes are done, and of how many, whenever one is.
 
     Raises:
         BagError: there is no such bag, or it is damaged.
@@ -89,8 +104,14 @@ def replay(path: Path, told: Mapping[str, bytes] | None = None) -> Replay:
     ]  # fmt: skip
     context = multiprocessing.get_context('fork')
     with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
-        verdicts = tuple(pool.map(_verdict, *zip(*tasks, strict=True)))
-    return Replay(verdicts, _span_s(bag), time.perf_counter() - began, note)
+        verdicts = []
+        coming = pool.map(_verdict, *zip(*tasks, strict=True))
+        # Only now: who watches may start a thread, and the pool has forked.
+        watch(0, len(tasks))
+        for verdict in coming:
+            verdicts.append(verdict)
+            watch(len(verdicts), len(tasks))
+    return Replay(tuple(verdicts), _span_s(bag), time.perf_counter() - began, note)
 
 
 def _verdict(path: Path, node: str, prefix: str, told: Mapping[str, bytes]) -> Verdict:

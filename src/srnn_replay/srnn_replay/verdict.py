@@ -35,6 +35,17 @@ class Verdict:
         """Tell whether all decisions came out as they were recorded."""
         return self.difference is None
 
+    def document(self) -> dict[str, Any]:
+        """Return the verdict as plain data for JSON."""
+        return {
+            'node': self.node,
+            'identical': self.identical,
+            'decisions': dict(self.decisions),
+            'unrecorded': self.unrecorded,
+            'difference': None if self.difference is None else self.difference.words(),
+            'decision': self.decision,
+        }
+
     def words(self) -> str:
         """Return the verdict in one line."""
         counts = ', '.join(f'{count} {kind}' for kind, count in self.decisions.items())
