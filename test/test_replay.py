@@ -122,12 +122,18 @@ def test_one_flipped_bit_in_one_plan_is_found_and_named(eventful, changed, capsy
     place = data.find(np.float64(0.0).tobytes(), 200)
     data[place + 6] ^= 1
     bag = changed(lambda m: m._replace(data=bytes(data)) if m == chosen else m)
-    assert cli.main(['replay', str(bag)]) == 1
+    told = bag.parent / 'found.json'
+    assert cli.main(['replay', str(bag), '--json', str(told)]) == 1
     out = capsys.readouterr().out
     (line,) = [line for line in out.splitlines() if line.startswith('planner: ')]
     assert f'segment {stamp_ns(chosen.data)} differs after 2 segments: ' in line
     assert 'recorded ' in line
     assert 'replayed ' in line
+    found = json.loads(told.read_text())
+    nodes = {node['node']: node for node in found['nodes']}
+    assert not found['identical']
+    assert not nodes['planner']['identical']
+    assert 'recorded ' in nodes['planner']['difference']
 
 
 def test_one_flipped_bit_in_one_command_is_found(eventful, changed):
@@ -219,8 +225,12 @@ def test_the_same_experience_with_the_same_parameters_gives_the_same_weights(tmp
     files = ['--save-weights', str(weights), '--picture', str(picture)]
     assert cli.main(['demo', *arguments, *files, '--record', str(tmp_path / 'bag')]) == 0
     again = tmp_path / 'again.npz'
-    changes = ['--signal', 'local', '--save-weights', str(again)]
+    told = tmp_path / 'found.json'
+    changes = ['--signal', 'local', '--save-weights', str(again), '--json', str(told)]
     assert cli.main(['replay', str(tmp_path / 'bag'), *changes]) == 0
+    found = json.loads(told.read_text())
+    assert found['recorded'] == found['would']
+    assert found['changes'] == {'learning.signal': 'local'}
     assert again.read_bytes() == weights.read_bytes()
     quiet = learn_again(tmp_path / 'bag', {'learning.signal': 'none'})
     assert not quiet.updates

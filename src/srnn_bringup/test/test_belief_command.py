@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `srnn belief` says of a bag and of weight files, and what it writes."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -121,3 +122,16 @@ def test_mistakes_get_one_line_that_helps(bag, line, words, capsys, monkeypatch)
     assert code == 2
     assert error.count('\n') == 1
     assert words in error
+
+
+def test_versions_and_differences_are_told_to_machines(bag, tmp_path, capsys):
+    assert run(f'list {bag} --json -') == 0
+    versions = json.loads(capsys.readouterr().out)['versions']
+    assert [(v['version'], v['after_s']) for v in versions] == [
+        (0, 0.0), (1, 2.0), (2, 4.0), (3, 6.0),
+    ]  # fmt: skip
+    assert versions[0]['where_m'] is None
+    assert run(f'diff {bag}@0 {bag}@1 --json {tmp_path}/diff.json') == 0
+    found = json.loads((tmp_path / 'diff.json').read_text())
+    assert found['synapses'] == versions[1]['synapses'] == (matrix(30) != PRIOR).sum()
+    np.testing.assert_allclose(found['where_m'], versions[1]['where_m'])

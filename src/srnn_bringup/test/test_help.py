@@ -71,5 +71,10 @@ def test_options_stand_in_the_same_section_everywhere():
             assert name in SECTIONS[titles[action]], (command, name)
 
 
+def test_every_option_that_has_a_section_exists():
+    there = {o for parser in COMMANDS.values() for a in parser._actions for o in a.option_strings}
+    assert {name for names in SECTIONS.values() for name in names} <= there
+
+
 def test_exit_codes_are_in_the_help_of_every_command():
     assert all('exit codes: 0 done; 1 failed' in shown(command) for command in ALL)
