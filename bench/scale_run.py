@@ -14,6 +14,7 @@ import re
 import resource
 import subprocess
 import sys
+from time import thread_time
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -40,7 +41,7 @@ RESET_PEAK = '5'
 
 @dataclass(frozen=True)
 class Times:
-    """What one process has timed and seen.
+    """What one process has timed, on its processor, and seen.
 
     Attributes:
         plan_ms: planning with the target near, p50.
@@ -148,7 +149,7 @@ def times(case: Case, repeats: int) -> Times:
     with threadpool_limits(1):
         plan, far, update, take = times_ms(
             lambda: network.planner.plan(near), lambda: network.planner.plan(across),
-            network.learn, network.take, repeats=repeats,
+            network.learn, network.take, repeats=repeats, clock=thread_time,
         )  # fmt: skip
     return Times(
         plan.p50, far.p50, update.p50, take.p50, to_near.spikes,
