@@ -198,7 +198,7 @@ def test_the_history_tells_what_happened_and_forgets_the_oldest():
     assert records['segment_stamp_ns'].tolist()[:3] == [1, 2, 0]
     assert records['time_ns'].tolist() == [1001, 1002, 20, 21, 22, 23]
     assert records['signal'][0] == b'local'
-    assert 0.0 < records['peak'][0] <= MODEL.learning.limit
+    assert 0.0 < records['peak'][0] <= np.float32(MODEL.learning.limit)
     assert records['checksum'][-1] == model.weights.checksum()
     for n in range(LENGTH):
         restarted.revert(n)
