@@ -89,7 +89,7 @@ class NetworkAgent:
             self.planner.use_weights(self.learner.synapses.learned)
         return Dissonance(
             segment_stamp_ns=plan.stamp_ns,
-            signal=self.learner.model.learning.signal,
+            signal=self.learner.signal,
             updated=lesson.updated,
             weights_version=self.learner.updates,
             peak=lesson.peak,

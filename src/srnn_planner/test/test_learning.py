@@ -11,9 +11,16 @@ import pytest
 from sampling_oracle import Words
 from statistical_bounds import binomial_bound
 
+from srnn_config import ParameterError
 from srnn_planner.core import plasticity, plasticity_kernel
 from srnn_planner.core.adapter import Learner
-from srnn_planner.core.dissonance import SIGNALS, compare, learning_signal, within_horizon
+from srnn_planner.core.dissonance import (
+    SIGNALS,
+    UntriggeredSignal,
+    compare,
+    learning_signal,
+    within_horizon,
+)
 from srnn_planner.core.encoding import spike_probability
 from srnn_planner.core.errors import PairingError, SrnnError, WeightsError
 from srnn_planner.core.parameters import LearningParameters, ModelParameters, NetworkParameters
@@ -42,6 +49,23 @@ def test_execution_as_imagined_teaches_nothing(signal):
     lesson = learner(signal).learn(STRAIGHT, STRAIGHT)
     assert not lesson.updated
     assert not lesson.neuron_peak.any()
+
+
+def test_every_signal_has_a_name_that_parameters_accept():
+    assert {LearningParameters(signal=name).signal for name in SIGNALS} == set(SIGNALS)
+    with pytest.raises(ParameterError, match=f'one of {", ".join(SIGNALS)}'):
+        LearningParameters(signal='mine')
+
+
+def test_a_signal_of_ones_own_takes_the_place_of_the_one_that_is_named():
+    class Mine(UntriggeredSignal):
+        pass
+
+    model = ModelParameters(learning=LearningParameters(signal='none', rate=0.25))
+    mine = Learner(model, np.random.default_rng(1), Mine(model.learning))
+    assert mine.signal == 'Mine'
+    assert mine.learn(STRAIGHT, STRAIGHT).peak == 0.25
+    assert Learner(model, np.random.default_rng(1)).signal == 'none'
 
 
 @given(step=st.integers(0, 29), horizon=st.floats(0.01, 0.5))

@@ -8,7 +8,12 @@ from numpy.typing import NDArray
 
 from srnn_msgs_py.weights import LearnedWeights
 from srnn_planner.core import generator_state, plasticity_kernel
-from srnn_planner.core.dissonance import Mismatch, experienced, learning_signal
+from srnn_planner.core.dissonance import (
+    AbstractSignal,
+    Mismatch,
+    experienced,
+    learning_signal,
+)
 from srnn_planner.core.encoding import spike_probability
 from srnn_planner.core.errors import PairingError
 from srnn_planner.core.parameters import ModelParameters
@@ -50,16 +55,30 @@ class Learner:
         neurons: the state neurons.
         synapses: the weights between them.
         updates: how often they were adapted.
+        signal: name of the learning signal.
 
     """
 
-    def __init__(self, model: ModelParameters, rng: np.random.Generator) -> None:
-        """Start from the prior weights."""
+    def __init__(
+        self,
+        model: ModelParameters,
+        rng: np.random.Generator,
+        signal: AbstractSignal | None = None,
+    ) -> None:
+        """Start from the prior weights.
+
+        Args:
+            model: network and learning.
+            rng: source of randomness.
+            signal: learning signal of one's own; None for the one that the parameters name.
+
+        """
         self.model = model
         self.neurons = StateNeurons(model.network)
         self.synapses = Synapses(self.neurons.prior)
         self.updates = 0
-        self._signal = learning_signal(model.learning)
+        self.signal = model.learning.signal if signal is None else type(signal).__name__
+        self._signal = learning_signal(model.learning) if signal is None else signal
         self._rng = rng
 
     def warm_up(self) -> None:

@@ -51,11 +51,11 @@ class LearnedModel:
         lesson = self.learner.learn(plan.positions, path.positions)
         if lesson.updated:
             self._take(self.weights.version + 1, plan.stamp_ns)
-            signal = self.learner.model.learning.signal
             before = self.weights.version - 1
             self.history.add(
-                Event.UPDATE, self.weights, before, now_ns, peak=lesson.peak, signal=signal
-            )
+                Event.UPDATE, self.weights, before, now_ns,
+                peak=lesson.peak, signal=self.learner.signal,
+            )  # fmt: skip
         return lesson
 
     def load(self, weights: WeightsUpdate, now_ns: int) -> None:
