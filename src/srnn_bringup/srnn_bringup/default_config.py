@@ -23,7 +23,7 @@ WIDTH = 99
 
 def render(parameters: Parameters) -> str:
     """Return a parameter set as YAML with every key, its meaning, unit and bounds."""
-    head = ['# SPDX-License-Identifier: Apache-2.0', *_comment(_sentence(type(parameters)), 0)]
+    head = ['# SPDX-License-Identifier: Apache-2.0', *_comment(sentence(type(parameters)), 0)]
     return '\n'.join([*head, *_lines(parameters, 0)]) + '\n'
 
 
@@ -40,7 +40,7 @@ def _lines(parameters: Parameters, depth: int) -> Iterator[str]:
         spec = spec_of(field)
         if spec is None:
             yield ''
-            yield from _comment(_sentence(hints[field.name]), depth)
+            yield from _comment(sentence(hints[field.name]), depth)
             yield f'{"  " * depth}{field.name}:'
             yield from _lines(value, depth + 1)
         else:
@@ -48,12 +48,17 @@ def _lines(parameters: Parameters, depth: int) -> Iterator[str]:
             yield from _entry(field.name, value, _notes(spec, value), depth)
 
 
+def valid(spec: ParameterSpec, value: Any) -> str:
+    """Return the bounds of a value in words; nothing where none need to be told."""
+    return '' if spec.bounds() == 'finite' or isinstance(value, bool) else spec.bounds()
+
+
 def _notes(spec: ParameterSpec, value: Any) -> str:
-    limits = '' if spec.bounds() == 'finite' or isinstance(value, bool) else spec.bounds()
-    return ', '.join(note for note in (spec.unit, limits) if note)
+    return ', '.join(note for note in (spec.unit, valid(spec, value)) if note)
 
 
-def _sentence(cls: type) -> str:
+def sentence(cls: type) -> str:
+    """Return what a parameter set is, as its docstring begins."""
     return ' '.join((cls.__doc__ or '').strip().split('\n\n')[0].split())
 
 
@@ -65,12 +70,12 @@ def _comment(text: str, depth: int) -> list[str]:
 def _entry(name: str, value: Any, notes: str, depth: int) -> list[str]:
     indent = '  ' * depth
     if isinstance(value, tuple):
-        items = f'{name}: [{", ".join(_scalar(item) for item in value)}]'
+        items = f'{name}: [{", ".join(scalar(item) for item in value)}]'
         lines = textwrap.wrap(
             items, WIDTH, initial_indent=indent, subsequent_indent=indent + '  '
         )
     else:
-        lines = [f'{indent}{name}: {_scalar(value)}']
+        lines = [f'{indent}{name}: {scalar(value)}']
     if not notes:
         return lines
     if len(lines[-1]) + len(notes) + 4 > WIDTH:
@@ -78,7 +83,8 @@ def _entry(name: str, value: Any, notes: str, depth: int) -> list[str]:
     return [*lines[:-1], f'{lines[-1]}  # {notes}']
 
 
-def _scalar(value: Any) -> str:
+def scalar(value: Any) -> str:
+    """Return one value as YAML writes it."""
     text: str = yaml.safe_dump([value], default_flow_style=True, width=10_000)
     return text.strip()[1:-1]
 
