@@ -8,7 +8,7 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check -qq
 PACKAGES := $(patsubst %/setup.py,%,$(wildcard src/*/setup.py))
 BUILD_FILES := $(wildcard src/*/setup.py src/*/setup.cfg src/*/package.xml)
 
-.PHONY: setup peers demo test test-slow test-faults lint clean
+.PHONY: setup peers demo test test-slow test-faults lint docs clean
 
 setup: $(VENV)/.packages
 
@@ -32,6 +32,15 @@ test-faults: setup
 lint: setup
 	$(BIN)/ruff check .
 	$(BIN)/mypy
+
+# Benchmarks and commands are no library; importing MuJoCo asks a process for its version.
+API := $(filter-out srnn_bench srnn_bringup,$(notdir $(PACKAGES))) \
+	srnn_bringup.config srnn_bringup.config_files
+
+docs: setup
+	$(PIP) install --no-deps --requirement requirements-docs.txt
+	PDOC_ALLOW_EXEC=1 $(BIN)/python -W error -m pdoc --docformat google --math --output-directory build/api $(API)
+	@echo 'API reference: build/api/index.html'
 
 clean:
 	rm -rf $(VENV) build install log .mypy_cache .pytest_cache .ruff_cache .hypothesis

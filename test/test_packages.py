@@ -82,7 +82,8 @@ print(*sorted({{name.partition('.')[0] for name in sys.modules}}))
 
 packages = pytest.mark.parametrize('package', ORDER)
 sources = [
-    file for folder in ('src', 'test', 'bench') for file in sorted((ROOT / folder).rglob('*.py'))
+    file for folder in ('src', 'test', 'bench', 'examples')
+    for file in sorted((ROOT / folder).rglob('*.py'))
     if not {'build', 'install'} & set(file.relative_to(ROOT).parts)
 ]  # fmt: skip
 every_source = pytest.mark.parametrize(
@@ -206,7 +207,11 @@ def test_no_two_tests_have_the_same_name():
 
 
 @pytest.mark.parametrize(
-    'name', ['requirements.lock', 'requirements-peers.txt', 'requirements-brian2.txt']
+    'name',
+    [
+        'requirements.lock', 'requirements-peers.txt', 'requirements-brian2.txt',
+        'requirements-docs.txt',
+    ],
 )
 def test_every_package_is_pinned_by_name_and_version(name):
     for line in (ROOT / name).read_text().splitlines():

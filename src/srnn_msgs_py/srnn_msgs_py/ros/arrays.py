@@ -2,6 +2,7 @@
 """Numpy arrays into and out of sequence fields, without touching single elements."""
 
 from array import array
+from collections.abc import MutableSequence, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,21 +10,21 @@ from numpy.typing import NDArray
 from srnn_msgs_py.errors import MessageError
 
 
-def doubles(values: NDArray[np.float64]) -> 'array[float]':
+def doubles(values: NDArray[np.float64]) -> MutableSequence[float]:
     """Return any array flattened as the sequence of a float64[] field."""
     sequence = array('d')
     sequence.frombytes(np.asarray(values, dtype=np.float64).tobytes())
     return sequence
 
 
-def floats(values: NDArray[np.float32]) -> 'array[float]':
+def floats(values: NDArray[np.float32]) -> MutableSequence[float]:
     """Return any array flattened as the sequence of a float32[] field."""
     sequence = array('f')
     sequence.frombytes(np.asarray(values, dtype=np.float32).tobytes())
     return sequence
 
 
-def vector(sequence: 'array[float]', length: int, field: str) -> NDArray[np.float64]:
+def vector(sequence: Sequence[float], length: int, field: str) -> NDArray[np.float64]:
     """Return a float64[] field as a read-only array (length,) of finite numbers.
 
     Raises:
