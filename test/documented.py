@@ -26,7 +26,8 @@ SLOW = re.compile(r'srnn (demo|up|record|replay|experiment|bench)\b|examples/')
 
 SHORTER = (
     (re.compile(r'srnn demo\b'), '--segments 4'),
-    (re.compile(r'srnn experiment (run|transfer|table1)\b'), '--trials 2 --segments 6'),
+    (re.compile(r'srnn experiment (run|transfer)\b'), '--trials 2 --segments 6'),
+    (re.compile(r'srnn experiment table1\b'), '--trials 2 --segments 6 --world point'),
     (re.compile(r'srnn experiment figures\b'), '--trials 2 --segments 6 --long 6 --world point'),
     (re.compile(r'srnn experiment random\b'), '--scenes 2 --segments 6'),
     (re.compile(r'examples/own_(world|signal)\.py'), '20'),
