@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pages of the documentation, and what of their fenced blocks can be run.
 
-A block whose opening line has a name behind its language is a file that the reader writes; `sh` is
-typed in, `python` without a name is a script. The blocks of a page run one after the other, in one
-folder.
+A block whose opening line has a name behind its language is a file that the reader writes; `sh`
+is typed in; `python` that imports something is a script, and else a fragment. The blocks of a page
+run one after the other, in one folder.
 """
 
 from collections.abc import Iterator
@@ -13,7 +13,7 @@ import re
 
 ROOT = Path(__file__).parents[1]
 PAGES = (
-    ROOT / 'README.md', ROOT / 'CONTRIBUTING.md',
+    ROOT / 'README.md', ROOT / 'CONTRIBUTING.md', ROOT / 'examples' / 'README.md',
     *(page for page in sorted((ROOT / 'docs').rglob('*.md'))),
 )  # fmt: skip
 
@@ -36,12 +36,14 @@ SHORTER = (
 
 NOT_RUN = {
     r'make ': 'sets up, tests or cleans the environment that this test runs in',
-    r'(sudo|apt|git clone)\b': 'changes the machine, or needs a network',
+    r'.*\bsudo\b': 'changes the machine',
     r'(colcon|source|ros2|rosdep)\b': 'needs an installation of ROS 2',
     r'.* --peer\b': 'needs other hosts: test/faults/test_two_hosts.py runs it on two of them',
     r'.* --secure\b': 'needs DDS security: test/test_secured_graph.py',
 }
 """Beginnings of commands that no test of a page runs, and why."""
+
+FOLLOWS = 'follows, in its block, one that is not run'
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,26 @@ class Block:
         joined = self.text.replace('\\\n', ' ')
         lines = (re.sub(r'(^|\s)#.*', '', line).strip() for line in joined.splitlines())
         return [line for line in lines if line]
+
+    @property
+    def script(self) -> bool:
+        """Whether the block is a whole script."""
+        return self.language == 'python' and not self.name and 'import ' in self.text
+
+    @property
+    def reasons(self) -> list[str]:
+        """Why each command is not run, nothing for those that are."""
+        reasons: list[str] = []
+        for command in self.commands:
+            why = reason_not_to(command)
+            reasons.append(why or (FOLLOWS if any(reasons) else ''))
+        return reasons
+
+    @property
+    def runnable(self) -> list[str]:
+        """The commands that are run."""
+        pairs = zip(self.commands, self.reasons, strict=True)
+        return [command for command, why in pairs if not why]
 
 
 def blocks(page: Path) -> Iterator[Block]:
