@@ -25,6 +25,8 @@ import pytest
 import yaml
 
 from srnn_bringup.cli import main
+from srnn_bringup.config_files import FILES
+from srnn_node.parameters import leaves
 
 LIMIT_S = 400.0
 STARTED_S = 120.0
@@ -162,6 +164,22 @@ def test_files_that_pages_name_are_there():
         for name in re.findall(r'(?<![\w./])(?:bench|test|config|examples)/[\w/]+\.\w+', code):
             found = (ROOT / name).is_file() or list(ROOT.glob(f'src/*/{name}'))
             assert found, f'{page.name}: {name}'
+
+
+def test_parameters_that_pages_name_exist():
+    names = [leaf.name for cls in FILES.values() for leaf in leaves(cls)]
+    sets = {part for name in names for part in name.split('.')[:-1]} - {'arm', 'fri'}
+    checked = 0
+    for page, code in inline_code():
+        key = re.fullmatch(r'(\w+)\.((?:\w+\.)*\w+)(?:: \S+)?', code)
+        if key is None or key[1] not in sets or key[2] in ('py', 'md', 'yaml'):
+            continue
+        modules = ROOT.glob(f'src/*/*/**/{key[1]}.py')
+        assert any(f'.{key[1]}.{key[2]}.' in f'.{name}.' for name in names) or any(
+            f'def {key[2]}(' in module.read_text() for module in modules
+        ), f'{page}: {code}'
+        checked += 1
+    assert checked > 10
 
 
 def test_options_that_pages_name_within_a_sentence_exist(capsys):
