@@ -161,7 +161,7 @@ def test_the_readme_leads_to_every_page():
 
 def test_files_that_pages_name_are_there():
     for page, code in inline_code():
-        for name in re.findall(r'(?<![\w./])(?:bench|test|config|examples)/[\w/]+\.\w+', code):
+        for name in re.findall(r'(?<![\w./])(?:bench|test|config|examples)/[a-z\d_/]+\.\w+', code):
             found = (ROOT / name).is_file() or list(ROOT.glob(f'src/*/{name}'))
             assert found, f'{page.name}: {name}'
 
