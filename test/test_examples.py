@@ -73,6 +73,17 @@ def test_a_signal_of_ones_own_learns_and_none_does_not(tmp_path):
         assert 0 < updates <= touches < untaught / 2
 
 
+def test_three_dimensions_learn_by_the_same_classes(tmp_path):
+    text = run('plan_in_3d', tmp_path)
+    (many, before), (some, after) = (
+        tuple(map(int, re.search(rf'{when}: (\d+) valid plans, (\d+) mm', text).groups()))
+        for when in ('before', 'after')
+    )
+    assert min(many, some) >= 8
+    assert after > before
+    assert len(colours(tmp_path / 'plan_3d.png')) >= 2
+
+
 @pytest.mark.parametrize('file', sorted(EXAMPLES.glob('*.py')), ids=lambda file: file.name)
 def test_an_example_is_short_needs_no_ros_and_is_tested_here(file):
     text = file.read_text()
