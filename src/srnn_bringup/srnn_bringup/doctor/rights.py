@@ -14,7 +14,7 @@ def rights() -> Iterator[Finding]:
     subject, refusal = 'real-time priority', probes.real_time_refusal()
     if refusal:
         words = f'SCHED_FIFO, {refusal}: the arm is controlled with more jitter'
-        advice = f"'USER - rtprio 80' in {LIMITS} and log in anew; containers: --cap-add SYS_NICE"
+        advice = f"'USER - rtprio 98' in {LIMITS} and log in anew; containers: --cap-add SYS_NICE"
         yield Finding(subject, Verdict.WARN, words, advice)
     else:
         yield Finding(subject, Verdict.OK, 'SCHED_FIFO is allowed')
