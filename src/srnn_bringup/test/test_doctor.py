@@ -8,6 +8,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+import lwr_tracking
 from srnn_bringup import cli, security
 from srnn_bringup.config_lookup import config_directory
 from srnn_bringup.doctor import examination, machine, middleware, probes, software
@@ -182,8 +183,9 @@ def test_a_cache_that_cannot_be_written_is_found(environ, subject, verdict, advi
 
 
 def test_compiled_code_is_kept_in_the_home_where_the_packages_are_read_only(monkeypatch):
-    packages = Path(machine.__file__).parents[3]
-    monkeypatch.setattr(probes, 'writable', refused(packages))
+    # Installed by colcon, every package has a place of its own; this one has kernels.
+    packages = Path(machine.__file__).parents[3], Path(lwr_tracking.__file__).parent
+    monkeypatch.setattr(probes, 'writable', refused(*packages))
     found = findings({'HOME': '/home/me'})['numba cache']
     assert (found.verdict, found.words) == (Verdict.OK, '/home/me/.cache/numba')
 
