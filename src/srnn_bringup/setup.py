@@ -34,6 +34,7 @@ setup(
             f'share/{PACKAGE}/config',
             [f for kind in ('yaml', 'xml', 'rviz', 'json') for f in files(CONFIG, f'*.{kind}')],
         ),
+        (f'share/{PACKAGE}/config/arms', files(CONFIG / 'arms', '*.yaml')),
         (f'share/{PACKAGE}/config/scenes', files(CONFIG / 'scenes', '*.yaml')),
         (f'share/{PACKAGE}/launch', files(HERE / 'launch', '*.launch.py')),
     ],

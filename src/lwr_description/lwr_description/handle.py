@@ -14,8 +14,8 @@ class Handle(NamedTuple):
     Attributes:
         model: address of the C structure `mjModel`.
         data: address of its `mjData`.
-        q: (7,) joint angles of the state [rad]; a view.
-        v: (7,) joint velocities of the state [rad/s]; a view.
+        q: (n,) joint angles of the state [rad]; a view.
+        v: (n,) joint velocities of the state [rad/s]; a view.
 
     """
 

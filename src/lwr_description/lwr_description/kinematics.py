@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 from lwr_description.arm_spec import TIP_SITE, WORKSPACE_SITE, arm_spec
 from lwr_description.errors import UnreachableError
 from lwr_description.handle import Handle
-from lwr_description.joints import DOF
-from lwr_description.limits import POSITION_MAX
 from lwr_description.mount import Mount
 
 Array = NDArray[np.float64]
@@ -24,11 +22,13 @@ _STEP_MAX = 0.3
 class Kinematics:
     """The mounted arm as a function of its joint angles; holds scratch memory, no state.
 
-    Joint arguments are (7,) arrays [rad], FRI order and signs. Positions are those of the
-    tip in `srnn_workspace` [m]. Returned arrays belong to the caller.
+    Joint arguments are (n,) arrays [rad], in the order of the description. Positions are those
+    of the tip in `srnn_workspace` [m]. Returned arrays belong to the caller.
 
     Attributes:
-        home: (7,) rest posture [rad], read-only.
+        joints: names of the n joints.
+        limits: what they may do at most.
+        home: (n,) rest posture [rad], read-only.
         still: scratch memory for compiled code, at rest; valid while this object lives.
         moving: the same for code that sets velocities.
         tip_site: number of the tip's site.
@@ -38,7 +38,12 @@ class Kinematics:
     """
 
     def __init__(self, mount: Mount) -> None:
-        """Compile the arm of `mount`, without contacts."""
+        """Compile the arm of `mount`, without contacts.
+
+        Raises:
+            DescriptionError: there is no model file, or it is not of the arm described.
+
+        """
         spec = arm_spec(mount)
         spec.compiler.discardvisual = True  # Shapes for the eye alone cost time in every call.
         self._model = spec.compile()
@@ -51,6 +56,8 @@ class Kinematics:
         self.origin: Array = self._data.site(WORKSPACE_SITE).xpos.copy()
         self.still = Handle.of(self._model, self._data)
         self.moving = Handle.of(self._model, self._moving)
+        self.joints = mount.description.joints
+        self.limits = mount.description.limits
         self.home = np.array(mount.home)
         self.home.flags.writeable = False
 
@@ -61,43 +68,43 @@ class Kinematics:
         return self.tip_world - self.origin
 
     def jacobian(self, q: Array) -> Array:
-        """Return d tip / d q, (3, 7) [m/rad]."""
+        """Return d tip / d q, (3, n) [m/rad]."""
         self._place(q)
-        jacobian = np.empty((3, DOF))
+        jacobian = np.empty((3, len(q)))
         mujoco.mj_jacSite(self._model, self._data, jacobian, None, self.tip_site)
         return jacobian
 
     def tip_and_jacobian(self, q: Array) -> tuple[Array, Array]:
-        """Return `tip` (3,) and `jacobian` (3, 7) for the price of one."""
+        """Return `tip` (3,) and `jacobian` (3, n) for the price of one."""
         jacobian = self.jacobian(q)
         return self.tip_world - self.origin, jacobian
 
     def tip_force(self, q: Array, torque: Array) -> Array:
-        """Return the force (3,) at the tip [N] that best explains joint torques (7,) [Nm]."""
+        """Return the force (3,) at the tip [N] that best explains joint torques (n,) [Nm]."""
         jacobian = self.jacobian(q)
         return np.asarray(np.linalg.solve(jacobian @ jacobian.T, jacobian @ torque), dtype=float)
 
     def mass_matrix(self, q: Array) -> Array:
-        """Return the joint-space inertia (7, 7) [kg m^2], armature included."""
+        """Return the joint-space inertia (n, n) [kg m^2], armature included."""
         self._place(q)
-        mass = np.empty((DOF, DOF))
+        mass = np.empty((len(q), len(q)))
         mujoco.mj_makeM(self._model, self._data)
         mujoco.mj_fullM(self._model, self._data, mass)
         return mass
 
     def gravity(self, q: Array) -> Array:
-        """Return the torques (7,) [Nm] that hold the arm still against gravity."""
+        """Return the torques (n,) [Nm] that hold the arm still against gravity."""
         self._place(q)
-        torque = np.empty(DOF)
+        torque = np.empty(len(q))
         mujoco.mj_rne(self._model, self._data, 0, torque)
         return torque
 
     def mass_and_bias(self, q: Array, velocity: Array) -> tuple[Array, Array]:
-        """Return `mass_matrix` (7, 7) and C(q, v) v + g(q), (7,) [Nm], for the price of one.
+        """Return `mass_matrix` (n, n) and C(q, v) v + g(q), (n,) [Nm], for the price of one.
 
         Args:
-            q: (7,) joint angles [rad].
-            velocity: (7,) joint velocities v [rad/s].
+            q: (n,) joint angles [rad].
+            velocity: (n,) joint velocities v [rad/s].
 
         """
         data = self._moving
@@ -106,7 +113,7 @@ class Kinematics:
         mujoco.mj_kinematics(self._model, data)
         mujoco.mj_comPos(self._model, data)
         mujoco.mj_comVel(self._model, data)
-        mass, bias = np.empty((DOF, DOF)), np.empty(DOF)
+        mass, bias = np.empty((len(q), len(q))), np.empty(len(q))
         mujoco.mj_makeM(self._model, data)
         mujoco.mj_fullM(self._model, data, mass)
         mujoco.mj_rne(self._model, data, 0, bias)
@@ -120,7 +127,7 @@ class Kinematics:
 
         Args:
             target: (3,) position in `srnn_workspace` [m].
-            seed: (7,) where to start searching [rad]; None starts at home.
+            seed: (n,) where to start searching [rad]; None starts at home.
 
         Raises:
             UnreachableError: `target` is not finite or out of reach.
@@ -134,7 +141,7 @@ class Kinematics:
             tip, jacobian = self.tip_and_jacobian(q)
             error = goal - tip
             step = self._posture_step(q, error, jacobian)
-            new = np.clip(q + step, -POSITION_MAX, POSITION_MAX)
+            new = np.clip(q + step, self.limits.position_min, self.limits.position_max)
             moved = np.abs(new - q).max()
             if np.abs(error).max() < _POSITION_TOLERANCE and moved < _POSTURE_TOLERANCE:
                 return q

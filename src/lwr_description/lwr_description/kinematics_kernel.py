@@ -21,21 +21,21 @@ from lwr_description.mujoco_c import (
 
 @numba.njit(cache=True)
 def jacobian_at(still, tip_site, q, jacobian):
-    """Write `Kinematics.jacobian` (3, 7); afterwards `Kinematics.tip_world` is the tip."""
+    """Write `Kinematics.jacobian` (3, n); afterwards `Kinematics.tip_world` is the tip."""
     _place(still, q)
     mj_jacSite(still.model, still.data, jacobian.ctypes.data, 0, tip_site)
 
 
 @numba.njit(cache=True)
 def gravity_at(still, q, torque):
-    """Write `Kinematics.gravity` (7,)."""
+    """Write `Kinematics.gravity` (n,)."""
     _place(still, q)
     mj_rne(still.model, still.data, 0, torque.ctypes.data)
 
 
 @numba.njit(cache=True)
 def mass_and_bias_at(moving, q, velocity, mass, bias):
-    """Write `Kinematics.mass_and_bias`, (7, 7) and (7,)."""
+    """Write `Kinematics.mass_and_bias`, (n, n) and (n,)."""
     for i in range(velocity.shape[0]):
         moving.v[i] = velocity[i]
     _place(moving, q)

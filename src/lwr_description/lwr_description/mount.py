@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the arm is mounted and which tool it carries."""
+"""Which arm is mounted where, and which tool it carries."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import pi, radians
 
-from lwr_description.limits import POSITION_MAX
+from lwr_description.description import ArmDescription
 from srnn_config import Parameters, parameter
 
 _HOME_DEGREES = (0.0, -33.0, 0.0, 96.0, 0.0, 39.0, 0.0)
@@ -12,7 +12,7 @@ _HOME_DEGREES = (0.0, -33.0, 0.0, 96.0, 0.0, 39.0, 0.0)
 
 @dataclass(frozen=True)
 class Mount(Parameters):
-    """Pose of the base, place of the working plane, and the tool rod.
+    """Pose of the base, place of the working plane, the tool rod, and which arm it is.
 
     World frame: x forward, y left, z up; the base stands on the z axis. The working plane is
     horizontal and its centre, straight ahead of the base, is the origin of `srnn_workspace`.
@@ -45,12 +45,19 @@ class Mount(Parameters):
         0.3, unit='kg', above=0.0, maximum=5.0, doc='Mass of the tool rod.'
     )
     home: tuple[float, ...] = parameter(
-        tuple(radians(angle) for angle in _HOME_DEGREES), unit='rad', length=7,
-        doc='Rest posture, FRI order and signs; redundant motion is drawn towards it.',
+        tuple(radians(angle) for angle in _HOME_DEGREES), unit='rad',
+        doc='Rest posture, one angle for each joint; redundant motion is drawn towards it.',
     )
+    description: ArmDescription = field(default_factory=ArmDescription)
 
     def check(self) -> None:
         """Refuse a home posture outside the joint limits."""
-        for angle, limit in zip(self.home, POSITION_MAX, strict=True):
-            if abs(angle) > limit:
-                raise self.refuse('home', self.home, f'within +-{POSITION_MAX.tolist()} rad')
+        arm = self.description
+        arm.one_per_joint(self, 'home', self.home)
+        limits = zip(arm.position_min, self.home, arm.position_max, strict=True)
+        if not all(low <= angle <= high for low, angle, high in limits):
+            raise self.refuse(
+                'home', self.home,
+                f'from position_min = {list(arm.position_min)} '
+                f'to position_max = {list(arm.position_max)} rad',
+            )

@@ -3,21 +3,19 @@
 
 from enum import Enum
 from math import isfinite
-from operator import gt, sub, truediv
+from operator import gt, lt, sub, truediv
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lwr_description import DOF, POSITION_MAX, VELOCITY_MAX
+from lwr_description import JointLimits
 from lwr_guard.parameters import GuardParameters
-
-_POSITION_MAX, _VELOCITY_MAX = POSITION_MAX.tolist(), VELOCITY_MAX.tolist()
 
 
 class Refusal(Enum):
     """Why a joint command was not accepted."""
 
-    MALFORMED = 'not seven numbers'
+    MALFORMED = 'not one number for each joint'
     NOT_FINITE = 'not finite'
     OUT_OF_RANGE = 'outside the joint limits'
     TOO_FAR = 'further from the last command than the joint speed limits allow'
@@ -30,27 +28,37 @@ class CommandGate:
     speed limits allow in the time that has passed, and in `silence` beyond it.
     """
 
-    def __init__(self, parameters: GuardParameters, start: NDArray[np.float64]) -> None:
-        """Begin as if `start` (7,) [rad] had just been commanded.
+    def __init__(
+        self, parameters: GuardParameters, limits: JointLimits, start: NDArray[np.float64]
+    ) -> None:
+        """Begin as if `start` had just been commanded.
 
         A tracker that begins, begins there; another one may still follow another arm.
+
+        Args:
+            parameters: what a stream of commands must keep to.
+            limits: what the n joints may do at most.
+            start: (n,) joint angles [rad].
+
         """
         self._parameters = parameters
+        self._lowest, self._highest = limits.position_min.tolist(), limits.position_max.tolist()
+        self._velocity_max = limits.velocity_max.tolist()
         self._last = start.copy()
         self._last_time = np.inf
         self._spare = parameters.silence
         self.refused = dict.fromkeys(Refusal, 0)
 
     def offer(self, q: ArrayLike, now: float) -> Refusal | None:
-        """Judge the command `q` (7,) [rad] at time `now` [s]; None means accepted."""
-        angles = _seven_numbers(q)
+        """Judge the command `q` (n,) [rad] at time `now` [s]; None means accepted."""
+        angles = self._possible(q)
         if isinstance(angles, Refusal):
             return self._refuse(angles)
         period, silence = self._parameters.period, self._parameters.silence
         elapsed = max(now - self._last_time, 0.0)
         spare = min(self._spare + elapsed, silence)
         moved = map(abs, map(sub, angles, self._last.tolist()))
-        needed = max(map(truediv, moved, _VELOCITY_MAX))
+        needed = max(map(truediv, moved, self._velocity_max))
         if needed > min(max(elapsed, period), spare):
             return self._refuse(Refusal.TOO_FAR)
         self._spare = spare - needed
@@ -60,26 +68,25 @@ class CommandGate:
 
     @property
     def last(self) -> NDArray[np.float64]:
-        """The last accepted command (7,) [rad]; a view."""
+        """The last accepted command (n,) [rad]; a view."""
         return self._last
 
     def _refuse(self, refusal: Refusal) -> Refusal:
         self.refused[refusal] += 1
         return refusal
 
-
-def _seven_numbers(q: ArrayLike) -> list[float] | Refusal:
-    """Return joint angles that the arm has, or what is wrong with them."""
-    try:
-        angles = np.asarray(q, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        return Refusal.MALFORMED
-    if angles.shape != (DOF,):
-        return Refusal.MALFORMED
-    # Seven floats one by one are judged faster than as an array.
-    asked: list[float] = angles.tolist()
-    if not all(map(isfinite, asked)):
-        return Refusal.NOT_FINITE
-    if any(map(gt, map(abs, asked), _POSITION_MAX)):
-        return Refusal.OUT_OF_RANGE
-    return asked
+    def _possible(self, q: ArrayLike) -> list[float] | Refusal:
+        """Return joint angles that the arm has, or what is wrong with them."""
+        try:
+            angles = np.asarray(q, dtype=float)
+        except (TypeError, ValueError, OverflowError):
+            return Refusal.MALFORMED
+        if angles.shape != self._last.shape:
+            return Refusal.MALFORMED
+        # A few floats one by one are judged faster than as an array.
+        asked: list[float] = angles.tolist()
+        if not all(map(isfinite, asked)):
+            return Refusal.NOT_FINITE
+        if any(map(gt, asked, self._highest)) or any(map(lt, asked, self._lowest)):
+            return Refusal.OUT_OF_RANGE
+        return asked

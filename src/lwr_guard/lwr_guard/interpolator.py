@@ -17,8 +17,8 @@ class Interpolator:
     command the motion comes to rest at the last one.
 
     Attributes:
-        position: (7,) desired joint angles [rad]; a view that `step` changes.
-        velocity: (7,) desired joint velocities [rad/s]; a view that `step` changes.
+        position: (n,) desired joint angles [rad]; a view that `step` changes.
+        velocity: (n,) desired joint velocities [rad/s]; a view that `step` changes.
 
     """
 
@@ -26,7 +26,7 @@ class Interpolator:
         """Rest at `start`.
 
         Args:
-            start: (7,) joint angles [rad].
+            start: (n,) joint angles [rad].
             time_constant: 1 / w [s].
             tick: time between two calls of `step` [s].
 
@@ -38,7 +38,7 @@ class Interpolator:
         self.position, self.velocity, self._command = self._state
 
     def command(self, q: Array) -> None:
-        """Head for the joint angles `q` (7,) [rad] from the next tick on."""
+        """Head for the joint angles `q` (n,) [rad] from the next tick on."""
         self._command[:] = q
 
     def step(self) -> None:

@@ -6,16 +6,17 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
-from lwr_description import POSITION_MAX, VELOCITY_MAX
+from lwr_description import POSITION_MAX, VELOCITY_MAX, ArmDescription
 from lwr_guard import CommandGate, GuardParameters, Refusal
 
 PARAMETERS = GuardParameters()
 START = np.zeros(7)
+LIMITS = ArmDescription().limits
 
 
 @pytest.fixture
 def gate():
-    return CommandGate(PARAMETERS, START)
+    return CommandGate(PARAMETERS, LIMITS, START)
 
 
 @pytest.mark.parametrize(
@@ -64,7 +65,7 @@ shares, pauses = st.floats(-0.25, 1.0), st.sampled_from([0.0, 0.0, 0.0, 0.004])
 
 @given(st.lists(st.tuples(st.just(0.19) | shares, pauses), min_size=20, max_size=60))
 def test_many_commands_at_once_do_not_add_up_to_more_speed(steps):
-    gate, now, accepted = CommandGate(PARAMETERS, START), 1.0, [(1.0, START)]
+    gate, now, accepted = CommandGate(PARAMETERS, LIMITS, START), 1.0, [(1.0, START)]
     for share, elapsed in steps:
         now += elapsed
         command = gate.last + share * PARAMETERS.silence * VELOCITY_MAX
@@ -97,7 +98,7 @@ plausible = st.lists(st.floats(-0.1, 0.1), min_size=7, max_size=7)
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.one_of(anything, plausible), max_size=5))
 def test_nothing_that_comes_in_gets_an_impossible_command_through(commands):
-    gate = CommandGate(PARAMETERS, START)
+    gate = CommandGate(PARAMETERS, LIMITS, START)
     for k, command in enumerate(commands):
         before = gate.last.copy()
         gate.offer(command, 1.0 + 0.004 * k)

@@ -7,7 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
-from lwr_description import DOF, JOINT_NAMES, Kinematics, Mount
+from lwr_description import Kinematics, Mount
 from lwr_guard import CommandWatch, Refusal
 from lwr_guard.command_watch import POOR, SPARSE
 from lwr_sim_bridge.errors import SimulationError
@@ -41,7 +41,7 @@ class Arm(Protocol):
         """How many commands were refused, by reason."""
 
     def command(self, q: np.ndarray) -> Refusal | None:
-        """Head for the joint angles `q` (7,) [rad]."""
+        """Head for the joint angles `q` (n,) [rad]."""
 
     def step(self, ticks: int) -> None:
         """Advance by ticks of 1 ms."""
@@ -63,7 +63,7 @@ class ArmNode(WorkspaceNode):
         self._wrench = self.advertise('wrench')
         self.listen(
             'forward_position_controller/commands',
-            lambda msg: commands.from_msg(msg, DOF), self._on_command,
+            lambda msg: commands.from_msg(msg, len(self._kinematics.joints)), self._on_command,
         )
 
     def activate(self) -> None:
@@ -120,7 +120,7 @@ class ArmNode(WorkspaceNode):
     def _report(self) -> None:
         now = self.get_clock().now().nanoseconds
         sample = self._arm.sample(now)
-        measured, external = joints.to_msgs(sample, JOINT_NAMES)
+        measured, external = joints.to_msgs(sample, self._kinematics.joints)
         # The tracker acts on the joint state, so the torque that belongs to it goes first.
         self._external.publish(external)
         self._measured.publish(measured)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sim bridge: a MuJoCo LWR 4+ on the topics of the real arm."""
+"""The sim bridge: an arm in MuJoCo on the topics of the real one."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -29,6 +29,10 @@ class BridgeParameters(Parameters):
     seed: int = parameter(0, minimum=0, doc='Seed of the sensor noise.')
     mount: Mount = field(default_factory=Mount)
     arm: ArmParameters = field(default_factory=ArmParameters)
+
+    def check(self) -> None:
+        """Refuse parameters that do not fit the arm."""
+        self.arm.fit(self.mount.description)
 
 
 class BridgeNode(ArmNode):

@@ -18,11 +18,11 @@ class CommandDelay:
         self._waiting: deque[tuple[int, NDArray[np.float64]]] = deque()
 
     def give(self, q: NDArray[np.float64]) -> None:
-        """Send the joint angles `q` (7,) [rad] on their way; they are copied."""
+        """Send the joint angles `q` (n,) [rad] on their way; they are copied."""
         self._waiting.append((self._now + self._ticks, q.copy()))
 
     def due(self) -> NDArray[np.float64] | None:
-        """Advance by one tick; return the newest command (7,) [rad] that arrives, if any."""
+        """Advance by one tick; return the newest command (n,) [rad] that arrives, if any."""
         arrived = None
         while self._waiting and self._waiting[0][0] <= self._now:
             _, arrived = self._waiting.popleft()

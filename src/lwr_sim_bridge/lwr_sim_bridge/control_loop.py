@@ -5,7 +5,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import DOF, Kinematics
+from lwr_description import Kinematics
 from lwr_guard.interpolator import Interpolator
 from lwr_sim_bridge.impedance import JointImpedance, impedance_of
 from lwr_sim_bridge.momentum_observer import MomentumObserver
@@ -37,26 +37,28 @@ class ControlLoop:
         mass = kinematics.mass_matrix(q)
         self._kinematics = kinematics
         self._interpolator = Interpolator(q, parameters.command.time_constant, tick)
-        self._impedance = JointImpedance(*impedance_of(parameters.impedance))
+        self._impedance = JointImpedance(
+            *impedance_of(parameters.impedance), kinematics.limits.torque_max
+        )
         self._impedance.adapt(mass)
-        self._observer = MomentumObserver(parameters.observer.gain, mass, np.zeros(DOF))
+        self._observer = MomentumObserver(parameters.observer.gain, mass, np.zeros(len(q)))
         self._ticks_per_estimate = parameters.observer.ticks
         self._tick = tick
         self._ticks = 0
-        self._torque_sum = np.zeros(DOF)
+        self._torque_sum = np.zeros(len(q))
         self._plant.torque[:] = kinematics.gravity(q)
 
     @property
     def residual(self) -> Array:
-        """Estimated external torques (7,) [Nm]."""
+        """Estimated external torques (n,) [Nm]."""
         return self._observer.residual
 
     def head_for(self, q: Array) -> None:
-        """Take the joint angles `q` (7,) [rad] as the command from the next tick on."""
+        """Take the joint angles `q` (n,) [rad] as the command from the next tick on."""
         self._interpolator.command(q)
 
     def set_impedance(self, stiffness: Array, damping_ratio: Array) -> None:
-        """Take stiffness (7,) [Nm/rad] and damping ratio (7,) of the joints from now on."""
+        """Take stiffness (n,) [Nm/rad] and damping ratio (n,) of the joints from now on."""
         self._impedance.set(stiffness, damping_ratio)
 
     def run(self, ticks: int, noise: Array) -> int:
@@ -64,8 +66,8 @@ class ControlLoop:
 
         Args:
             ticks: at most so many.
-            noise: (n, 3, 7) of angles [rad], velocities [rad/s] and torques [Nm] in the
-                next n estimates, at least as many as there will be; may be overwritten.
+            noise: (m, 3, n) of angles [rad], velocities [rad/s] and torques [Nm] in the
+                next m estimates, at least as many as there will be; may be overwritten.
 
         Returns:
             How many ticks it were, the one with the warning or the contact included.
@@ -86,10 +88,10 @@ class ControlLoop:
         return ticks
 
     def measure(self, noise: Array) -> tuple[Array, Array, Array]:
-        """Return what the arm measures now: angles, velocities and torques, (7,) each.
+        """Return what the arm measures now: angles, velocities and torques, (n,) each.
 
         Args:
-            noise: (3, 7) of these, [rad], [rad/s] and [Nm]; may be overwritten.
+            noise: (3, n) of these, [rad], [rad/s] and [Nm]; may be overwritten.
 
         """
         state = self._plant.state

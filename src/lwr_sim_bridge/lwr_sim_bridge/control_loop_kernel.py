@@ -7,7 +7,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import DOF, TORQUE_MAX, Kinematics
+from lwr_description import Kinematics
 from lwr_description.compiled import compiled
 from lwr_description.handle import Handle
 from lwr_description.kinematics_kernel import gravity_at, mass_and_bias_at
@@ -34,7 +34,7 @@ class _Settings(NamedTuple):
 
 
 class _Memory(NamedTuple):
-    """What the loop remembers from tick to tick; shapes (7,) but for `mass`, (7, 7)."""
+    """What the loop remembers from tick to tick; shapes (n,) but for `mass`, (n, n)."""
 
     command: Array
     position: Array
@@ -59,7 +59,7 @@ class ControlLoop:
             kinematics.still,
             kinematics.moving,
             transition(parameters.command.time_constant, tick),
-            TORQUE_MAX,
+            kinematics.limits.torque_max,
             *impedance_of(parameters.impedance),
             parameters.observer.gain,
             parameters.observer.ticks,
@@ -67,7 +67,7 @@ class ControlLoop:
         )
         q = self._plant.state.q
         mass = kinematics.mass_matrix(q)
-        zero = np.zeros(DOF)
+        zero = np.zeros(len(q))
         self._memory = _Memory(
             q.copy(), q.copy(), zero.copy(), zero.copy(), zero.copy(), mass, zero.copy(), zero
         )
@@ -75,9 +75,9 @@ class ControlLoop:
         self._plant.torque[:] = kinematics.gravity(q)
         self._ticks = 0
         views = self._plant, self._settings, self._memory
-        self._run = compiled(_run, *views, 0, 0, np.empty((0, 3, DOF)))
+        self._run = compiled(_run, *views, 0, 0, np.empty((0, 3, len(q))))
         self._truth = q, self._plant.state.v, self._plant.torque
-        self._measure = compiled(_measure, *self._truth, np.empty((3, DOF)))
+        self._measure = compiled(_measure, *self._truth, np.empty((3, len(q))))
 
     @property
     def residual(self) -> Array:
@@ -161,7 +161,8 @@ def _observe(plant, settings, memory, noise):
         noise[2, i] += memory.torque_sum[i] / settings.ticks_per_estimate
         memory.torque_sum[i] = 0.0
     position, velocity, torque = noise[0], noise[1], noise[2]
-    mass, bias = np.empty((DOF, DOF)), np.empty(DOF)
+    joints = residual.shape[0]
+    mass, bias = np.empty((joints, joints)), np.empty(joints)
     mass_and_bias_at(settings.moving, position, velocity, mass, bias)
     elapsed = settings.ticks_per_estimate * settings.tick
     gain = settings.gain

@@ -7,7 +7,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lwr_description import DOF, Kinematics, Mount
+from lwr_description import Kinematics, Mount
 from lwr_guard import CommandGate, CommandWatch, GuardParameters, Refusal
 from lwr_sim_bridge.simulated_arm import TICK
 from srnn_msgs_py.joints import JointSample
@@ -30,8 +30,8 @@ class MockArm:
         """
         self._kinematics = Kinematics(mount)
         self._position = self._kinematics.inverse((*np.asarray(start), 0.0))
-        self._velocity = np.zeros(DOF)
-        self._gate = CommandGate(guard, self._position)
+        self._velocity = np.zeros_like(self._position)
+        self._gate = CommandGate(guard, self._kinematics.limits, self._position)
         self.watch = CommandWatch(guard)
         self._ticks = 0
 
@@ -46,7 +46,7 @@ class MockArm:
         return MappingProxyType(self._gate.refused)
 
     def command(self, q: ArrayLike) -> Refusal | None:
-        """Be at the joint angles `q` (7,) [rad] in the next cycle.
+        """Be at the joint angles `q` (n,) [rad] in the next cycle.
 
         Returns:
             None when accepted, else why not; the arm then stays where it is.
@@ -69,5 +69,5 @@ class MockArm:
         position: NDArray[np.float64] = self._position.copy()
         return JointSample(
             stamp_ns, position, self._velocity.copy(), self._kinematics.gravity(position),
-            np.zeros(DOF),
+            np.zeros_like(self._position),
         )

@@ -15,7 +15,7 @@ class MomentumObserver:
     Mdot v - (C v + g) it needs no acceleration. Implicit in r, so stable for every gain.
 
     Attributes:
-        residual: (7,) estimated external torque r [Nm].
+        residual: (n,) estimated external torque r [Nm].
 
     """
 
@@ -24,8 +24,8 @@ class MomentumObserver:
 
         Args:
             gain: K [1/s].
-            mass: (7, 7) joint-space inertia now [kg m^2].
-            velocity: (7,) joint velocities now [rad/s].
+            mass: (n, n) joint-space inertia now [kg m^2].
+            velocity: (n,) joint velocities now [rad/s].
 
         """
         self._gain = gain
@@ -42,10 +42,10 @@ class MomentumObserver:
         mean(M) times the change of v.
 
         Args:
-            mass: (7, 7) inertia at the end of the interval [kg m^2]; kept, not copied.
-            velocity: (7,) velocities at its end [rad/s]; kept, not copied.
-            bias: (7,) C v + g and known friction in the interval [Nm].
-            torque: (7,) mean joint torque of the interval [Nm].
+            mass: (n, n) inertia at the end of the interval [kg m^2]; kept, not copied.
+            velocity: (n,) velocities at its end [rad/s]; kept, not copied.
+            bias: (n,) C v + g and known friction in the interval [Nm].
+            torque: (n,) mean joint torque of the interval [Nm].
             elapsed: length of the interval [s].
 
         """

@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass, field
 
+from lwr_description import ArmDescription
 from lwr_guard import GuardParameters
 from srnn_config import Parameters, parameter
 
@@ -12,8 +13,8 @@ class ImpedanceParameters(Parameters):
     """Joint impedance law of the arm's own controller."""
 
     stiffness: tuple[float, ...] = parameter(
-        (2000.0,) * 7, unit='Nm/rad', length=7, above=0.0, maximum=2000.0,
-        doc='Stiffness of each joint, FRI order.',
+        (2000.0,) * 7, unit='Nm/rad', above=0.0, maximum=2000.0,
+        doc='Stiffness of each joint.',
     )
     damping_ratio: float = parameter(
         0.7, minimum=0.1, maximum=1.5,
@@ -32,8 +33,8 @@ class MismatchParameters(Parameters):
         0.05, unit='kg', minimum=0.0, maximum=2.0, doc='Mass of the tool beyond the nominal.'
     )
     friction: tuple[float, ...] = parameter(
-        (0.2, 0.2, 0.2, 0.2, 0.1, 0.05, 0.05), unit='Nm', length=7, minimum=0.0, maximum=10.0,
-        doc='Dry friction of each joint, FRI order.',
+        (0.2, 0.2, 0.2, 0.2, 0.1, 0.05, 0.05), unit='Nm', minimum=0.0, maximum=10.0,
+        doc='Dry friction of each joint.',
     )
 
 
@@ -101,3 +102,13 @@ class ArmParameters(Parameters):
     guard: GuardParameters = field(default_factory=GuardParameters)
     contact: ContactParameters = field(default_factory=ContactParameters)
     noise: NoiseParameters = field(default_factory=NoiseParameters)
+
+    def fit(self, description: ArmDescription) -> None:
+        """Refuse lists that have not one value for each joint of the arm.
+
+        Raises:
+            ParameterError: names the list.
+
+        """
+        description.one_per_joint(self.impedance, 'stiffness', self.impedance.stiffness)
+        description.one_per_joint(self.mismatch, 'friction', self.mismatch.friction)

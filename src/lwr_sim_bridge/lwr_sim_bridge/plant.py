@@ -15,8 +15,8 @@ class Plant(NamedTuple):
 
     Attributes:
         state: addresses, angles and velocities.
-        torque: (7,) joint torques that act in the next tick [Nm].
-        damping: (7,) viscous friction of the joints [Nm s/rad].
+        torque: (n,) joint torques that act in the next tick [Nm].
+        damping: (n,) viscous friction of the joints [Nm s/rad].
         warnings: (W,) how often the simulator has warned, by kind.
         contacts: (1,) number of contacts of the tool in the last tick.
 

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import JOINT_NAMES, TOOL_GEOM, Mount, arm_spec
+from lwr_description import TOOL_GEOM, ModelError, Mount, arm_spec
 from lwr_sim_bridge.obstacle_geom import BOTTOM, add_obstacle
 from lwr_sim_bridge.parameters import ArmParameters, MismatchParameters
 from srnn_config.scene import Obstacle
@@ -32,6 +32,7 @@ class SceneModel:
 
         Raises:
             SceneShapeError: the simulator cannot build an obstacle.
+            DescriptionError: there is no model of the arm, or it is not of the arm described.
 
         """
         names = [f'obstacle_{i}' for i in range(len(obstacles))]
@@ -53,7 +54,7 @@ class SceneModel:
             self._show(geom, False)
 
     def place(self, q: NDArray[np.float64]) -> None:
-        """Put the arm at rest at the joint angles `q` (7,) [rad]."""
+        """Put the arm at rest at the joint angles `q` (n,) [rad]."""
         self.data.qpos = q
         mujoco.mj_forward(self.model, self.data)
 
@@ -107,11 +108,15 @@ class SceneModel:
 def _mismatched_arm(mount: Mount, mismatch: MismatchParameters) -> mujoco.MjSpec:
     heavier = replace(mount, tool_mass=mount.tool_mass + mismatch.payload)
     spec = arm_spec(heavier)
-    for name, friction in zip(JOINT_NAMES, mismatch.friction, strict=True):
+    for name, friction in zip(mount.description.joints, mismatch.friction, strict=True):
         joint = spec.joint(name)
         joint.frictionloss = friction
         link = joint.parent
+        if not link.explicitinertial:
+            raise ModelError(f'body {link.name!r} of {mount.description.model}: has no inertial')
         link.mass = mismatch.mass_scale * link.mass
+        # The file says one of the two.
+        link.inertia = mismatch.mass_scale * np.array(link.inertia)
         link.fullinertia = mismatch.mass_scale * np.array(link.fullinertia)
     return spec
 

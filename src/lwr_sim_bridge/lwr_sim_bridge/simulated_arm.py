@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The simulated LWR 4+: takes joint positions, reports what the real arm would report."""
+"""The simulated arm: takes joint positions, reports what the real arm would report."""
 
 from collections.abc import Mapping
 from operator import gt
@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lwr_description import VELOCITY_MAX, Kinematics, Mount
+from lwr_description import Kinematics, Mount
 from lwr_guard import CommandGate, CommandWatch, Refusal
 from lwr_sim_bridge.command_delay import CommandDelay
 from lwr_sim_bridge.contact_truth import ContactForce, ContactTruth
@@ -24,8 +24,8 @@ from srnn_msgs_py.joints import JointSample
 TICK = 0.001
 """Period of physics and joint controller [s]."""
 
-_IMPOSSIBLE = (10.0 * VELOCITY_MAX).tolist()
-"""Joints that turn faster [rad/s] are numbers gone wrong, no arm."""
+_IMPOSSIBLE = 10.0
+"""Joints that turn faster than so many times their limit are numbers gone wrong, no arm."""
 
 
 class SimulatedArm:
@@ -49,8 +49,11 @@ class SimulatedArm:
         Raises:
             SceneShapeError: the simulator cannot build an obstacle.
             UnreachableError: the arm cannot reach the start.
+            DescriptionError: there is no model of the arm, or it is not of the arm described.
+            ParameterError: `parameters` are not those of the arm.
 
         """
+        parameters.fit(mount.description)
         self._kinematics = Kinematics(mount)
         self._scene = SceneModel(mount, parameters, scene.obstacles)
         self.model, self.data = self._scene.model, self._scene.data
@@ -61,12 +64,14 @@ class SimulatedArm:
         self._warnings = self.data.warning.number
         self._no_warnings = bytes(self._warnings.nbytes)
         self._clock = self.data.time
-        self._gate = CommandGate(parameters.guard, start)
+        limits = self._kinematics.limits
+        self._impossible = (_IMPOSSIBLE * limits.velocity_max).tolist()
+        self._gate = CommandGate(parameters.guard, limits, start)
         self.watch = CommandWatch(parameters.guard)
         self._delay = CommandDelay(round(parameters.command.delay / TICK))
         self._loop = ControlLoop(parameters, self._kinematics, self._scene, TICK)
         self._ticks_per_estimate = parameters.observer.ticks
-        self._sensors = Sensors(scene.noise, parameters.noise, rng)
+        self._sensors = Sensors(scene.noise, parameters.noise, len(start), rng)
         self._truth = ContactTruth(self.model, self.data, self._scene.tool)
         self._ticks = 0
         self.set_segment(0)
@@ -111,8 +116,8 @@ class SimulatedArm:
         """Change the joint impedance law from now on.
 
         Args:
-            stiffness: (7,) of the joints [Nm/rad].
-            damping_ratio: (7,) share of critical damping of the joints.
+            stiffness: (n,) of the joints [Nm/rad].
+            damping_ratio: (n,) share of critical damping of the joints.
 
         """
         self._loop.set_impedance(np.array(stiffness), np.array(damping_ratio))
@@ -122,7 +127,7 @@ class SimulatedArm:
         self._truth.clear_peak()
 
     def command(self, q: ArrayLike) -> Refusal | None:
-        """Head for the joint angles `q` (7,) [rad].
+        """Head for the joint angles `q` (n,) [rad].
 
         It gets there `ArmParameters.command.delay` later.
 
@@ -188,6 +193,6 @@ class SimulatedArm:
         passed, self._clock = self.data.time - self._clock, self.data.time
         if abs(passed - ticks * TICK) > 0.5 * TICK:
             return f'its time went by {passed:.3f} s in {ticks} ms'
-        if any(map(gt, map(abs, self._v.tolist()), _IMPOSSIBLE)):
+        if any(map(gt, map(abs, self._v.tolist()), self._impossible)):
             return 'a joint turns faster than it can'
         return ''

@@ -16,7 +16,7 @@ ZERO = np.zeros(7)
 
 @pytest.fixture
 def law():
-    law = JointImpedance(*impedance_of(PARAMETERS))
+    law = JointImpedance(*impedance_of(PARAMETERS), TORQUE_MAX)
     law.adapt(MASS)
     return law
 

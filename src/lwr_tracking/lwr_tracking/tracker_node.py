@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from std_srvs.srv import Trigger
 
-from lwr_description import JOINT_NAMES, Kinematics, Mount
+from lwr_description import Kinematics, Mount
 from lwr_tracking.core.failsafe import Condition, decide
 from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.refusal import Refusal
@@ -159,7 +159,7 @@ class TrackerNode(WorkspaceNode):
     def _pair(self, msg: Any) -> JointSample:
         if self._external is None:
             raise MessageError('no external torque yet')
-        return joints.from_msgs(msg, self._external, JOINT_NAMES, MAX_LAG)
+        return joints.from_msgs(msg, self._external, self._kinematics.joints, MAX_LAG)
 
     def _on_external(self, msg: Any) -> None:
         self._external = msg

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
-from lwr_description import POSITION_MAX, VELOCITY_MAX
+from lwr_description import POSITION_MAX, VELOCITY_MAX, ArmDescription
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.core.joint_watch import JointWatch
 from lwr_tracking.core.parameters import WatchParameters
@@ -26,7 +26,7 @@ def sample(number, position=HOME, **changes):
 
 @pytest.fixture
 def watch():
-    watch = JointWatch(WatchParameters(), 0.004)
+    watch = JointWatch(WatchParameters(), ArmDescription().limits, 0.004)
     assert watch.judge(sample(1), HOME) is Condition.NONE
     return watch
 
@@ -51,7 +51,7 @@ def test_angles_beyond_the_limits_are_not_true(watch, joint):
 
 @given(st.integers(0, 6), st.integers(1, 5), st.floats(0.0, 4.0))
 def test_a_joint_may_move_twice_as_fast_as_it_can(joint, missed, share):
-    watch = JointWatch(WatchParameters(), 0.004)
+    watch = JointWatch(WatchParameters(), ArmDescription().limits, 0.004)
     watch.judge(sample(1), HOME)
     position = HOME.copy()
     position[joint] += share * VELOCITY_MAX[joint] * missed * 0.004
@@ -63,7 +63,7 @@ def test_a_joint_may_move_twice_as_fast_as_it_can(joint, missed, share):
 def test_an_arm_without_commands_does_not_go_far(gap, farthest):
     slowest = np.argmin(VELOCITY_MAX)
     for share, condition in ((0.99, Condition.NONE), (1.01, Condition.JUMPED)):
-        watch = JointWatch(WatchParameters(), 0.004)
+        watch = JointWatch(WatchParameters(), ArmDescription().limits, 0.004)
         watch.judge(sample(1), HOME)
         position = HOME.copy()
         position[slowest] -= share * farthest

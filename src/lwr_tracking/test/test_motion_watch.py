@@ -22,7 +22,7 @@ HINDRANCES = {
 
 
 def judged(freedom, sample, ticks=5, running=True, watch=None):
-    watch = watch or MotionWatch(LimitParameters(patience=0.02))
+    watch = watch or MotionWatch(LimitParameters(patience=0.02), TORQUE_MAX)
     return [watch.judge(0.004, freedom, sample, running) for _ in range(ticks)]
 
 
@@ -33,7 +33,7 @@ def test_it_is_named_after_20_ms(condition):
 
 @pytest.mark.parametrize('condition', HINDRANCES)
 def test_a_pause_begins_the_count_anew(condition):
-    watch = MotionWatch(LimitParameters(patience=0.02))
+    watch = MotionWatch(LimitParameters(patience=0.02), TORQUE_MAX)
     for _ in range(20):
         assert not any(judged(*HINDRANCES[condition], ticks=4, watch=watch))
         assert not any(judged(FREE, STRONG, ticks=1, watch=watch))

@@ -10,7 +10,8 @@ from lwr_tracking.core import resolved_rate, resolved_rate_kernel
 DT = 0.004
 KINEMATICS = Kinematics(Mount())
 BOUNDS = resolved_rate.Bounds(
-    position=POSITION_MAX - 0.05, slow_position=POSITION_MAX - 0.3, velocity=0.9 * VELOCITY_MAX,
+    lowest=0.05 - POSITION_MAX, highest=POSITION_MAX - 0.05, slow_lowest=0.3 - POSITION_MAX,
+    slow_highest=POSITION_MAX - 0.3, velocity=0.9 * VELOCITY_MAX,
     tip_speed=0.4, damping=1e-4, singular=0.1, slow_singular=0.3,
 )
 

@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
+from lwr_description import ArmDescription, find_model
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_access import Key, key_file
 from srnn_bringup.config_files import ArmFile, FriFile, NetworkFile, TrackingFile
-from srnn_bringup.config_lookup import config_directory, find_network, find_scene
+from srnn_bringup.config_lookup import config_directory, find_arm, find_network, find_scene
 from srnn_bringup.errors import ChoiceError
 from srnn_config import Parameters, build, parameter, read_yaml
 from srnn_config.scene import Scene, load_scene
@@ -19,6 +20,7 @@ from srnn_planner.core.synapses import Synapses
 
 STANDARD_SCENE = 'four_waypoints'
 NETWORK = 'network'
+ARM_DESCRIPTION = 'lwr4p'
 
 SIMULATED = 'sim'
 FRI = 'fri'
@@ -40,6 +42,7 @@ class Choices:
     Attributes:
         arm: name of an arm, see `srnn_bringup.arms`.
         emulated: whether its controller is emulated.
+        description: name of an arm description in the configuration, or path of its file.
         scene: name of a scene in the configuration, or path of a scene file.
         network: name of a network in the configuration, or path of its file.
         signal: learning signal.
@@ -56,6 +59,7 @@ class Choices:
 
     arm: str = SIMULATED
     emulated: bool = False
+    description: str = ARM_DESCRIPTION
     scene: str = STANDARD_SCENE
     network: str = NETWORK
     signal: str | None = None
@@ -77,7 +81,7 @@ class Configuration(Parameters):
         scene_path: absolute path of the scene file.
         scene: what is in it.
         network: content of network.yaml, with the choices of the command line.
-        arm: content of arm.yaml.
+        arm: content of the file that describes the arm.
         tracking: content of tracking.yaml.
         fri: content of fri.yaml.
         robot: name of the arm that is moved.
@@ -122,6 +126,12 @@ class Configuration(Parameters):
             raise self.refuse(
                 'model.network.dimensions', dimensions, '2: scenes and the tracker are planar'
             )
+        model = self.arm.mount.description.model
+        if self.robot == FRI and self.arm.mount.description != ArmDescription():
+            raise self.refuse(
+                'arm.mount.description', model, f"the LWR 4+: arm '{FRI}' is no other"
+            )
+        find_model(model)
 
     @property
     def tracker(self) -> TrackerParameters:
@@ -198,7 +208,7 @@ def load(choices: Choices, directory: Path | None = None) -> Configuration:
         scene_path=scene_path,
         scene=load_scene(scene_path),
         network=_with_choices(_read(NetworkFile, network_path), choices),
-        arm=_read(ArmFile, directory / 'arm.yaml'),
+        arm=_read(ArmFile, find_arm(choices.description, directory)),
         tracking=_read(TrackingFile, directory / 'tracking.yaml'),
         fri=_read(FriFile, directory / 'fri.yaml'),
         robot=choices.arm,

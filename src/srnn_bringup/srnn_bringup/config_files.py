@@ -22,10 +22,14 @@ class NetworkFile(Parameters):
 
 @dataclass(frozen=True)
 class ArmFile(Parameters):
-    """The arm: where it stands and what it holds (mount), and how it is simulated (arm)."""
+    """An arm: which one, where it stands and what it holds (mount), how it is simulated (arm)."""
 
     mount: Mount = field(default_factory=Mount)
     arm: ArmParameters = field(default_factory=ArmParameters)
+
+    def check(self) -> None:
+        """Refuse parameters of the simulation that do not fit the arm."""
+        self.arm.fit(self.mount.description)
 
 
 @dataclass(frozen=True)
@@ -50,7 +54,7 @@ class FriFile(Parameters):
 
 FILES: dict[str, type[Parameters]] = {
     'network.yaml': NetworkFile,
-    'arm.yaml': ArmFile,
+    'arms/lwr4p.yaml': ArmFile,
     'tracking.yaml': TrackingFile,
     'fri.yaml': FriFile,
 }

@@ -45,6 +45,21 @@ def network_names(directory: Path) -> list[str]:
     return sorted(path.stem for path in directory.glob('network*.yaml'))
 
 
+def arm_names(directory: Path) -> list[str]:
+    """Return the names of the arm descriptions that come with the configuration."""
+    return sorted(path.stem for path in (directory / 'arms').glob('*.yaml'))
+
+
+def find_arm(choice: str, directory: Path) -> Path:
+    """Return the absolute path of an arm description given by name or path.
+
+    Raises:
+        ChoiceError: there is no such description; the message lists the names.
+
+    """
+    return _find('description', choice, directory / 'arms', arm_names(directory))
+
+
 def find_scene(choice: str, directory: Path) -> Path:
     """Return the absolute path of a scene given by name or path.
 

@@ -10,6 +10,7 @@ from srnn_bringup.config import FRI, SIMULATED, Choices, Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.key_command import add_key
 from srnn_bringup.options import (
+    add_arm_description,
     add_keystore,
     add_learning,
     add_namespace,
@@ -31,6 +32,7 @@ def add_graph(parser: argparse.ArgumentParser, arms: Mapping[str, str]) -> None:
         '--arm', choices=tuple(arms), default=SIMULATED,
         help=f'arm to move: {meanings} (default: %(default)s)',
     )
+    add_arm_description(parser)
     add_scene(parser)
     add_network(parser)
     add_learning(parser)
@@ -73,6 +75,7 @@ def configuration(options: argparse.Namespace) -> Configuration:
             arm=options.arm,
             # A demo has an obstacle in the way: that of the simulator.
             emulated=options.arm == FRI if options.emulator is None else options.emulator,
+            description=options.arm_description,
             scene=options.scene,
             network=options.network,
             signal=options.signal,

@@ -8,7 +8,7 @@ from pathlib import Path
 import re
 from typing import TypeVar
 
-from srnn_bringup.config import NETWORK, ROOT, SEED_MAX, STANDARD_SCENE
+from srnn_bringup.config import ARM_DESCRIPTION, NETWORK, ROOT, SEED_MAX, STANDARD_SCENE
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph import NAMES, part
 from srnn_bringup.peers import find_peer
@@ -31,6 +31,14 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--scene', default=STANDARD_SCENE, metavar='SCENE',
         help='name of a scene in config/scenes, or path of a scene file (default: %(default)s)',
+    )
+
+
+def add_arm_description(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of what the arm is."""
+    parser.add_argument(
+        '--arm-description', default=ARM_DESCRIPTION, metavar='DESCRIPTION',
+        help='name of an arm in config/arms, or path of its file (default: %(default)s)',
     )
 
 

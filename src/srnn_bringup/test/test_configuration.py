@@ -76,7 +76,7 @@ def test_impossible_choices_are_refused_by_name(choices, error, words):
          ParameterError, 'samples = 0: must be >= 1'),
         ('network.yaml', lambda d: d['model']['network'].update(dimensions=3),
          ParameterError, 'dimensions = 3: must be 2'),
-        ('arm.yaml', lambda d: d['mount'].update(tool_mass='heavy'),
+        ('arms/lwr4p.yaml', lambda d: d['mount'].update(tool_mass='heavy'),
          ParameterError, "tool_mass = 'heavy': must be a number"),
         ('tracking.yaml', lambda d: d['tracking']['gate'].update(speed_limit=0.05),
          ParameterError, 'velocity = 0.1: must be <= speed_limit = 0.05'),
@@ -93,8 +93,8 @@ def test_impossible_files_are_refused_by_name(directory, file, change, error, wo
 
 
 def test_missing_file_is_named(directory):
-    (directory / 'arm.yaml').unlink()
-    with pytest.raises(ConfigError, match=r'arm\.yaml'):
+    (directory / 'arms/lwr4p.yaml').unlink()
+    with pytest.raises(ConfigError, match='lwr4p'):
         load(Choices(), directory)
 
 

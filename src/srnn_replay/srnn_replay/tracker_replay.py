@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import JOINT_NAMES, Kinematics
+from lwr_description import Kinematics
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.tracker import Tracker
@@ -40,7 +40,7 @@ class TrackerReplay:
         self._settings = told.tracking
         self._kinematics = Kinematics(told.mount)
         self._recording = recording
-        self._reader = JointStateBytes(JOINT_NAMES)
+        self._reader = JointStateBytes(self._kinematics.joints)
         self._measured = {stamp_ns(m.data): m for m in recording.raw(MEASURED)}
         self._external = {stamp_ns(m.data): m for m in recording.raw(EXTERNAL)}
         self._segments = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
@@ -66,7 +66,7 @@ class TrackerReplay:
         """Begin with what one process has said."""
         said = of_session(self._recording.raw(COMMANDS), session)
         self._commands = Told(
-            'commands', [(m, _numbers(m)) for m in said], lambda _: 'a command', verdict
+            'commands', [(m, self._numbers(m)) for m in said], lambda _: 'a command', verdict
         )
         paths, results = (
             said_in(session, self._recording.decoded(topic, convert))
@@ -141,13 +141,12 @@ class TrackerReplay:
         if own is None or others is None:
             return joints.from_msgs(
                 self._recording.message(MEASURED, measured),
-                self._recording.message(EXTERNAL, external), JOINT_NAMES, MAX_LAG,
+                self._recording.message(EXTERNAL, external), self._kinematics.joints, MAX_LAG,
             )  # fmt: skip
         position, velocity, torque = own
         lag_ns = external_stamp - stamp
         return JointSample(stamp, position, velocity, torque, others[2], lag_ns)
 
-
-def _numbers(message: Message) -> Any:
-    """Return the numbers of a command, which are the last of its message."""
-    return np.frombuffer(message.data[-8 * len(JOINT_NAMES) :], '<f8')
+    def _numbers(self, message: Message) -> Any:
+        """Return the numbers of a command, which are the last of its message."""
+        return np.frombuffer(message.data[-8 * len(self._kinematics.joints) :], '<f8')

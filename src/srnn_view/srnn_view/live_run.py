@@ -72,7 +72,7 @@ class LiveRun:
     """What was heard last; told by method calls, asked by attributes. Its memory is bounded.
 
     Attributes:
-        joints: (7,) measured joint angles [rad]; None before the first.
+        joints: (n,) measured joint angles [rad]; None before the first.
         plan: (n, 3) segment that was sent last [m].
         executed: executed paths (n, 3), newest last [m].
         samples: (S, T, d) imagined movements behind the newest segment [m].
@@ -124,7 +124,7 @@ class LiveRun:
         return sum(count for code, count in self.counts.items() if code not in refused)
 
     def measured(self, joints: NDArray[np.float64]) -> None:
-        """Take in joint angles (7,) [rad]."""
+        """Take in joint angles (n,) [rad]."""
         self.joints = joints
         self._changed.add(Part.ARM)
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 import trimesh
 
 from lwr_description import Mount
-from lwr_sim_bridge.parameters import ArmParameters
+from lwr_sim_bridge.parameters import ArmParameters, MismatchParameters
 from lwr_sim_bridge.scene_model import SceneModel
 from srnn_config.scene import Obstacle
 
@@ -60,7 +60,8 @@ class SceneShapes:
             SceneShapeError: an obstacle cannot be built.
 
         """
-        scene = SceneModel(mount, ArmParameters(), obstacles)
+        still = MismatchParameters(friction=(0.0,) * len(mount.home))
+        scene = SceneModel(mount, ArmParameters(mismatch=still), obstacles)
         self._model, self._data = scene.model, scene.data
         self.links = tuple(self._model.body(i).name for i in range(self._model.nbody))
         self.shapes = tuple(_shapes(self._model))
@@ -69,7 +70,7 @@ class SceneShapes:
         """Yield where all is that moves.
 
         Args:
-            joints: (7,) joint angles [rad].
+            joints: (n,) joint angles [rad].
 
         """
         self._data.qpos[:] = joints

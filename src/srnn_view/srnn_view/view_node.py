@@ -72,7 +72,7 @@ def _show(node: Node, stop: StopRequest) -> None:
     parameters = declare_parameters(node, ViewParameters)
     obstacles = load_scene(parameters.scene).obstacles if parameters.obstacles else ()
     run = LiveRun()
-    ears = Ears(node, run)
+    ears = Ears(node, run, parameters.mount.description.joints)
     server = viser.ViserServer(HOST, _free(parameters.port), 'srnn', verbose=False)
     stage = Stage(server, parameters.mount, obstacles)
     panel = Panel(server.gui)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lwr_description import POSITION_MAX, VELOCITY_MAX
+from lwr_description import POSITION_MAX, VELOCITY_MAX, ArmDescription
 from lwr_guard import CommandGate, CommandWatch, GuardParameters, Refusal
 from lwr_guard.interpolator import Interpolator
 
@@ -42,7 +42,9 @@ class Follower:
             time_constant: of the filter that commands go through [s].
 
         """
-        self._gate = CommandGate(guard, np.array(start, dtype=float))
+        self._gate = CommandGate(
+            guard, ArmDescription().limits, np.array(start, dtype=float)
+        )
         self.watch = CommandWatch(guard)
         self.clamped = False
         self._interpolator = Interpolator(

@@ -3,12 +3,12 @@
 
 from collections.abc import Iterable
 from math import isfinite
-from operator import gt, sub
+from operator import gt, lt, sub
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import DOF, POSITION_MAX, VELOCITY_MAX
+from lwr_description import JointLimits
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.core.parameters import WatchParameters
 from lwr_tracking.core.tick_watch import AT_REST_AFTER
@@ -30,13 +30,22 @@ class JointWatch:
     until it is back, or until `restart`.
     """
 
-    def __init__(self, parameters: WatchParameters, period: float) -> None:
-        """Have seen nothing; `period` is the nominal time between two joint states [s]."""
+    def __init__(self, parameters: WatchParameters, limits: JointLimits, period: float) -> None:
+        """Have seen nothing.
+
+        Args:
+            parameters: what a joint state must obey.
+            limits: what the n joints may do at most.
+            period: nominal time between two joint states [s].
+
+        """
         self._parameters = parameters
         self._period = period
-        self._reach = (_JUMP * VELOCITY_MAX).tolist()
+        self._reach = (_JUMP * limits.velocity_max).tolist()
         self._surely = min(self._reach) * period
-        self._farthest = (POSITION_MAX + parameters.position_tolerance).tolist()
+        tolerance = parameters.position_tolerance
+        self._lowest = (limits.position_min - tolerance).tolist()
+        self._highest = (limits.position_max + tolerance).tolist()
         self.restart()
 
     def restart(self) -> None:
@@ -51,13 +60,13 @@ class JointWatch:
 
         Args:
             sample: what the arm measured.
-            command: (7,) joint angles that it was told last [rad]; None before the first.
+            command: (n,) joint angles that it was told last [rad]; None before the first.
 
         """
-        if not _usable(sample):
+        if not _usable(sample, len(self._reach)):
             return Condition.BAD_SAMPLE
         position = sample.position.tolist()
-        if _exceeds(map(abs, position), self._farthest):
+        if _exceeds(position, self._highest) or any(map(lt, position, self._lowest)):
             return Condition.OUT_OF_RANGE
         if self._position is None:
             self._remember(position, sample.stamp_ns, command)
@@ -103,14 +112,14 @@ class JointWatch:
 
 
 def _exceeds(values: Iterable[float], limits: Iterable[float]) -> bool:
-    # Seven floats one by one are compared faster than as an array.
+    # A few floats one by one are compared faster than as an array.
     return any(map(gt, values, limits))
 
 
-def _usable(sample: JointSample) -> bool:
-    """Tell whether all that the tracker reads is finite and has seven elements."""
+def _usable(sample: JointSample, joints: int) -> bool:
+    """Tell whether all that the tracker reads is finite and has one element per joint."""
     position, torque = sample.position, sample.external_torque
     # A sum is finite exactly when its terms are; a huge term counts as not finite.
-    return position.shape == torque.shape == (DOF,) and isfinite(
+    return position.shape == torque.shape == (joints,) and isfinite(
         sum(position.tolist()) + sum(torque.tolist())
     )

@@ -3,7 +3,9 @@
 
 from operator import ge
 
-from lwr_description import TORQUE_MAX
+import numpy as np
+from numpy.typing import NDArray
+
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.core.parameters import LimitParameters
 from lwr_tracking.core.resolved_rate import Step
@@ -12,8 +14,6 @@ from srnn_msgs_py.joints import JointSample
 CREEPING = 0.1
 """Motion that has only this share of its speed left has come to its limit."""
 
-_TORQUE_MAX = TORQUE_MAX.tolist()
-
 
 class MotionWatch:
     """Names what has hindered motion for too long.
@@ -21,8 +21,9 @@ class MotionWatch:
     Shorter than `limits.patience` it is what a disturbance does, and the arm catches up.
     """
 
-    def __init__(self, limits: LimitParameters) -> None:
-        """Have seen nothing."""
+    def __init__(self, limits: LimitParameters, torque_max: NDArray[np.float64]) -> None:
+        """Have seen nothing; the joints have torque limits (n,) [Nm]."""
+        self._torque_max = torque_max.tolist()
         self._patience = limits.patience
         self._lasted = dict.fromkeys(
             (Condition.JOINT_LIMIT, Condition.SINGULAR, Condition.SATURATED), 0.0
@@ -38,8 +39,8 @@ class MotionWatch:
             running: a segment is being executed; else nothing has to move.
 
         """
-        # Seven floats one by one are compared faster than as an array.
-        torque = any(map(ge, map(abs, sample.torque.tolist()), _TORQUE_MAX))
+        # A few floats one by one are compared faster than as an array.
+        torque = any(map(ge, map(abs, sample.torque.tolist()), self._torque_max))
         found = (
             running and freedom.outward < CREEPING,
             running and freedom.dexterity < CREEPING,

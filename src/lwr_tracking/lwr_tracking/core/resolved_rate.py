@@ -19,9 +19,11 @@ class Bounds(NamedTuple):
     """What a step keeps to.
 
     Attributes:
-        position: (7,) largest joint angles of either sign [rad].
-        slow_position: (7,) joint angles from which on motion outwards is slowed down [rad].
-        velocity: (7,) largest joint speeds [rad/s].
+        lowest: (n,) smallest joint angles [rad].
+        highest: (n,) largest joint angles [rad].
+        slow_lowest: (n,) joint angles below which motion downwards is slowed down [rad].
+        slow_highest: (n,) joint angles above which motion upwards is slowed down [rad].
+        velocity: (n,) largest joint speeds [rad/s].
         tip_speed: largest speed of the tip [m/s].
         damping: square of the damping of the inverse [m^2].
         singular: smallest singular value of the Jacobian that is moved to [m/rad].
@@ -29,8 +31,10 @@ class Bounds(NamedTuple):
 
     """
 
-    position: Array
-    slow_position: Array
+    lowest: Array
+    highest: Array
+    slow_lowest: Array
+    slow_highest: Array
     velocity: Array
     tip_speed: float
     damping: float
@@ -42,7 +46,7 @@ class Step(NamedTuple):
     """A command, and how free it was.
 
     Attributes:
-        command: (7,) joint angles [rad].
+        command: (n,) joint angles [rad].
         outward: share of its speed that is left to a joint that nears its limit, 0 to 1.
         dexterity: the same for an arm that nears a singular posture.
         saturated: a joint would have had to be faster than it may.
@@ -67,7 +71,7 @@ class ResolvedRate:
         """Return the command whose tip is nearest to the target after `dt`.
 
         Args:
-            command: (7,) last command [rad].
+            command: (n,) last command [rad].
             target: (3,) where the tip should be [m].
             dt: time since the last command [s].
             draw: share of the way home that the joints go if the tip allows.
@@ -88,17 +92,18 @@ class ResolvedRate:
         dexterity = self._dexterity(command, move, jacobian)
         move *= min(outward, dexterity)
         # A command that starts outside the limits must not jump back inside.
-        high = np.maximum(bounds.position, command)
-        low = np.minimum(-bounds.position, command)
+        high = np.maximum(bounds.highest, command)
+        low = np.minimum(bounds.lowest, command)
         within: Array = np.minimum(np.maximum(command + move, low), high)
         return Step(within, outward, dexterity, saturated)
 
     def _outward(self, command: Array, move: Array, dt: float) -> float:
         bounds = self._bounds
         moving = np.abs(move) > NEGLIGIBLE * bounds.velocity * dt
-        outwards = moving & (move * command > 0.0)
-        left = (bounds.position - np.abs(command)) / (bounds.position - bounds.slow_position)
-        return float(np.clip(left[outwards], 0.0, 1.0).min(initial=1.0))
+        above = (bounds.highest - command) / (bounds.highest - bounds.slow_highest)
+        below = (command - bounds.lowest) / (bounds.slow_lowest - bounds.lowest)
+        left = np.where(move > 0.0, above, below)
+        return float(np.clip(left[moving], 0.0, 1.0).min(initial=1.0))
 
     def _dexterity(self, command: Array, move: Array, jacobian: Array) -> float:
         bounds = self._bounds

@@ -5,7 +5,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import DOF, Kinematics
+from lwr_description import Kinematics
 from lwr_description.compiled import compiled
 from lwr_description.kinematics_kernel import jacobian_at
 from lwr_tracking.core.manipulability import smallest_singular_value
@@ -26,7 +26,8 @@ class ResolvedRate:
             kinematics.still, kinematics.tip_site, kinematics.tip_world, kinematics.origin,
             kinematics.home, bounds,
         )  # fmt: skip
-        self._compiled = compiled(_step, *self._arm, np.zeros(DOF), np.zeros(3), 0.0, 0.0)
+        command = np.zeros(len(kinematics.home))
+        self._compiled = compiled(_step, *self._arm, command, np.zeros(3), 0.0, 0.0)
 
     def step(self, command: Array, target: Array, dt: float, draw: float) -> Step:
         """See `resolved_rate.ResolvedRate`."""
@@ -62,15 +63,20 @@ def _step(still, tip_site, tip_world, origin, home, bounds, command, target, dt,
     share, outward = dt / excess if saturated else 1.0, 1.0
     for i in range(joints):
         move[i] *= share
-        if abs(move[i]) > NEGLIGIBLE * bounds.velocity[i] * dt and move[i] * command[i] > 0.0:
-            zone = bounds.position[i] - bounds.slow_position[i]
-            outward = min(outward, (bounds.position[i] - abs(command[i])) / zone)
+        if abs(move[i]) > NEGLIGIBLE * bounds.velocity[i] * dt:
+            if move[i] > 0.0:
+                left = bounds.highest[i] - command[i]
+                zone = bounds.highest[i] - bounds.slow_highest[i]
+            else:
+                left = command[i] - bounds.lowest[i]
+                zone = bounds.slow_lowest[i] - bounds.lowest[i]
+            outward = min(outward, left / zone)
     outward = max(outward, 0.0)
     slowed = _dexterity(still, tip_site, bounds, command, move, smallest, jacobian)
     pace = min(outward, slowed)
     for i in range(joints):
-        high = max(bounds.position[i], command[i])
-        low = min(-bounds.position[i], command[i])
+        high = max(bounds.highest[i], command[i])
+        low = min(bounds.lowest[i], command[i])
         move[i] = min(max(command[i] + pace * move[i], low), high)
     return move, outward, slowed, saturated
 

@@ -26,8 +26,8 @@ class TipEstimate:
         """Return the tip (3,) [m] and the force on it (3,) [N].
 
         Args:
-            q: (7,) joint angles [rad].
-            external_torque: (7,) [Nm].
+            q: (n,) joint angles [rad].
+            external_torque: (n,) [Nm].
 
         """
         tip, jacobian = self._kinematics.tip_and_jacobian(q)

@@ -5,7 +5,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import DOF, Kinematics
+from lwr_description import Kinematics
 from lwr_description.compiled import compiled
 from lwr_description.kinematics_kernel import jacobian_at
 from lwr_tracking.core.products import gram, times
@@ -21,7 +21,7 @@ class TipEstimate:
         """See `tip_estimate.TipEstimate`."""
         self._arm = kinematics.still, kinematics.tip_site, kinematics.tip_world, kinematics.origin
         self._kinematics = kinematics  # Keeps what these are views of.
-        self._compiled = compiled(_measure, *self._arm, np.zeros(DOF), np.zeros(DOF))
+        self._compiled = compiled(_measure, *self._arm, *np.zeros((2, len(kinematics.home))))
 
     def measure(self, q: Array, external_torque: Array) -> tuple[Array, Array]:
         """See `tip_estimate.TipEstimate`."""

@@ -35,7 +35,7 @@ class Tick(NamedTuple):
     """Answer to one measurement.
 
     Attributes:
-        command: (7,) joint angles to send [rad]; None before the first good measurement.
+        command: (n,) joint angles to send [rad]; None before the first good measurement.
         finished: results since the last tick.
 
     """
@@ -65,6 +65,7 @@ class Tracker:
         self.conditions = Condition.NOT_STARTED
         self.counters = Counters()
         self._parameters = parameters
+        self._limits = kinematics.limits
         self._estimate = TipEstimate(kinematics)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
         self._ticks = TickWatch(parameters.period)
@@ -76,8 +77,8 @@ class Tracker:
         """Know nothing of the arm yet."""
         parameters = self._parameters
         self._contact = ContactObserver(parameters.contact)
-        self._watch = JointWatch(parameters.watch, parameters.period)
-        self._motion = MotionWatch(parameters.limits)
+        self._watch = JointWatch(parameters.watch, self._limits, parameters.period)
+        self._motion = MotionWatch(parameters.limits, self._limits.torque_max)
         self._stops = RepeatedStops(parameters.contact)
         self._load: LoadCheck | None = LoadCheck(parameters.contact.rearm_force)
         self._execution: Execution | None = None

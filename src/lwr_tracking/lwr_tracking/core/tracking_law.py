@@ -4,7 +4,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import POSITION_MAX, VELOCITY_MAX, Kinematics
+from lwr_description import Kinematics
 from lwr_description.compiled import compiled
 from lwr_tracking.core.bounded_sum import add_bounded
 from lwr_tracking.core.parameters import LawParameters, LimitParameters
@@ -23,7 +23,7 @@ class TrackingLaw:
     integral of the measured error makes up for sag and friction of the arm.
 
     Attributes:
-        command: (7,) last commanded joint angles [rad].
+        command: (n,) last commanded joint angles [rad].
         correction: (3,) integral correction of the commanded tip [m].
         freedom: how free the last command was; what it holds of a command is `command`.
 
@@ -37,10 +37,13 @@ class TrackingLaw:
         self.correction = np.zeros(3)
         self.freedom = Step(self.command, 1.0, 1.0, False)
         self._law = law
-        self._velocity_max = VELOCITY_MAX * limits.velocity_share
+        joints = kinematics.limits
+        self._velocity_max = joints.velocity_max * limits.velocity_share
         bounds = Bounds(
-            position=POSITION_MAX - limits.position_margin,
-            slow_position=POSITION_MAX - limits.slow_margin,
+            lowest=joints.position_min + limits.position_margin,
+            highest=joints.position_max - limits.position_margin,
+            slow_lowest=joints.position_min + limits.slow_margin,
+            slow_highest=joints.position_max - limits.slow_margin,
             velocity=self._velocity_max,
             tip_speed=law.tip_speed,
             damping=law.damping**2,
@@ -57,12 +60,12 @@ class TrackingLaw:
         return self._kinematics.tip(self.command) - self.correction
 
     def start(self, position: Array) -> None:
-        """Command the measured joint angles (7,) [rad], without correction."""
+        """Command the measured joint angles (n,) [rad], without correction."""
         self.command = np.array(position, dtype=np.float64)
         self.correction = np.zeros(3)
 
     def follow(self, position: Array, dt: float) -> None:
-        """Let the command approach the measured joint angles (7,) [rad] within `dt` [s]."""
+        """Let the command approach the measured joint angles (n,) [rad] within `dt` [s]."""
         reach = self._velocity_max * dt
         self.command = self.command + np.clip(position - self.command, -reach, reach)
 
@@ -72,7 +75,7 @@ class TrackingLaw:
         self._add(self.correction, error, law.integral_gain * dt, law.integral_limit)
 
     def step(self, target: Array, dt: float, settle: bool = True) -> Array:
-        """Return the command (7,) [rad] whose tip is nearest to the target after `dt`.
+        """Return the command (n,) [rad] whose tip is nearest to the target after `dt`.
 
         Args:
             target: (3,) reference of the tip [m].

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import JOINT_NAMES, Kinematics, Mount
+from lwr_description import Kinematics, Mount
 from srnn_bag import Message
 from srnn_bringup.latency.answers import answered
 from srnn_config.geometry import clearance
@@ -81,7 +81,7 @@ class TouchFinder:
         self._kinematics = Kinematics(mount)
         self._radius = mount.tool_radius
         self._obstacles = obstacles
-        self._reader = JointStateBytes(JOINT_NAMES)
+        self._reader = JointStateBytes(self._kinematics.joints)
         self._measured = sorted(tracker.raw(MEASURED), key=lambda m: stamp_ns(m.data))
         self._stamps = np.array([stamp_ns(m.data) for m in self._measured], dtype=np.int64)
         pairs = {

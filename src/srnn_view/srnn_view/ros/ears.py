@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Hears what a graph says, when asked to, and tells a run about it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 import time
@@ -13,7 +13,6 @@ from rclpy.node import Node
 from rclpy.serialization import deserialize_message
 from visualization_msgs.msg import MarkerArray
 
-from lwr_description import JOINT_NAMES
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import in_namespace
 from srnn_msgs_py.ros import (
@@ -39,10 +38,11 @@ EACH = 200
 class Ears:
     """Listens for a run; what says nothing that can be drawn is left out."""
 
-    def __init__(self, node: Node, run: LiveRun) -> None:
-        """Listen from now on; have `listen` called again and again."""
+    def __init__(self, node: Node, run: LiveRun, names: Sequence[str]) -> None:
+        """Listen from now on for an arm with joints of these names; have `listen` called."""
         self._run = run
         self._namespace = node.get_namespace()
+        self._names = names
         tell: Mapping[str, Callable[[Any], None]] = {
             'segment_path': lambda msg: run.planned(path.positions(msg)),
             'executed_path': lambda msg: run.moved(path.positions(msg)),
@@ -71,7 +71,7 @@ class Ears:
                     act(deserialize_message(message.data, polled.kind))
 
     def _on_joints(self, msg: Any) -> None:
-        self._run.measured(joints.positions(msg, JOINT_NAMES))
+        self._run.measured(joints.positions(msg, self._names))
 
     def _on_wrench(self, msg: Any) -> None:
         self._run.pressed(float(np.linalg.norm(wrench.from_msg(msg).force)))
