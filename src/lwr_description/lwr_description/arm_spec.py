@@ -62,9 +62,20 @@ def _read(description: ArmDescription) -> mujoco.MjSpec:
         spec = mujoco.MjSpec.from_file(str(path))
     except ValueError as error:
         raise ModelError(f'{path}: cannot be read: {error}') from error
-    # Of a URDF the links at fixed joints would vanish, with their names.
-    spec.compiler.fusestatic = False
+    if path.suffix == '.urdf':
+        _adapt_urdf(spec)
     return spec
+
+
+def _adapt_urdf(spec: mujoco.MjSpec) -> None:
+    # Links at fixed joints would vanish, with their names.
+    spec.compiler.fusestatic = False
+    # Meshes have paths of ROS, and often formats that MuJoCo cannot read; they are for the eye.
+    for geom in spec.geoms:
+        if geom.type == mujoco.mjtGeom.mjGEOM_MESH:
+            spec.delete(geom)
+    for mesh in spec.meshes:
+        spec.delete(mesh)
 
 
 def _strip(spec: mujoco.MjSpec) -> None:

@@ -30,6 +30,7 @@ def render(parameters: Parameters) -> str:
 def write(directory: Path) -> None:
     """Write every configuration file with its defaults."""
     for name, cls in FILES.items():
+        (directory / name).parent.mkdir(exist_ok=True)
         (directory / name).write_text(render(cls()), encoding='utf-8')
 
 

@@ -93,8 +93,8 @@ def test_impossible_files_are_refused_by_name(directory, file, change, error, wo
 
 
 def test_missing_file_is_named(directory):
-    (directory / 'arms/lwr4p.yaml').unlink()
-    with pytest.raises(ConfigError, match='lwr4p'):
+    (directory / 'tracking.yaml').unlink()
+    with pytest.raises(ConfigError, match=r'tracking\.yaml'):
         load(Choices(), directory)
 
 

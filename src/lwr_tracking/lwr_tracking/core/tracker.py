@@ -64,8 +64,7 @@ class Tracker:
         self.tip: Array = np.full(3, np.nan)
         self.conditions = Condition.NOT_STARTED
         self.counters = Counters()
-        self._parameters = parameters
-        self._limits = kinematics.limits
+        self._parameters, self._limits = parameters, kinematics.limits
         self._estimate = TipEstimate(kinematics)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
         self._ticks = TickWatch(parameters.period)
