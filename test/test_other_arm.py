@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """An arm that the workspace knows from a file alone learns as the LWR 4+ does."""
 
+from dataclasses import replace
 from importlib.util import find_spec
 import json
 from pathlib import Path
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 from srnn_process import SCENE
 
+from lwr_description import arm_spec
 from lwr_sim_bridge import SimulatedArm, control_loop, simulated_arm
 from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.config_files import ArmFile
@@ -38,6 +40,18 @@ def test_its_file_states_every_key(configuration):
     data = read_yaml(path)
     assert data == to_mapping(build(ArmFile, data, 'ur5e.yaml'))
     assert len(configuration.arm.mount.description.joints) == DOF
+
+
+def test_its_plant_is_as_much_heavier_as_the_file_says(configuration):
+    """Whether the model gives inertia along its main axes, as here, or as a matrix."""
+    told = configuration.arm
+    arm = replace(told.arm, mismatch=replace(told.arm.mismatch, mass_scale=1.2, payload=0.0))
+    nominal = arm_spec(told.mount).compile()
+    plant = SimulatedArm(arm, told.mount, configuration.scene, np.random.default_rng(0)).model
+    links = [nominal.joint(name).bodyid[0] for name in told.mount.description.joints]
+    assert np.prod(nominal.body_inertia[links]) > 0.0
+    np.testing.assert_allclose(plant.body_mass[links], 1.2 * nominal.body_mass[links])
+    np.testing.assert_allclose(plant.body_inertia[links], 1.2 * nominal.body_inertia[links])
 
 
 def moved(configuration: Configuration) -> tuple[np.ndarray, float]:

@@ -105,3 +105,17 @@ def test_nothing_that_comes_in_gets_an_impossible_command_through(commands):
         assert np.isfinite(gate.last).all()
         assert (np.abs(gate.last) <= POSITION_MAX).all()
         assert (np.abs(gate.last - before) <= PARAMETERS.silence * VELOCITY_MAX).all()
+
+
+def test_limits_that_are_not_even_about_zero_are_those_of_each_side():
+    limits = LIMITS._replace(
+        position_min=np.array([0.1, -1.0]), position_max=np.array([2.0, -0.2]),
+        velocity_max=np.ones(2),
+    )  # fmt: skip
+    start = np.array([0.1, -0.2])
+    for command, refusal in (
+        ([0.1, -0.2], None), ([0.099, -0.2], Refusal.OUT_OF_RANGE),
+        ([0.1, -0.199], Refusal.OUT_OF_RANGE), ([0.101, -0.201], None),
+        ([0.1] * 7, Refusal.MALFORMED),
+    ):  # fmt: skip
+        assert CommandGate(PARAMETERS, limits, start).offer(command, 1.0) is refusal

@@ -98,3 +98,13 @@ def test_the_same_angles_count_as_frozen_only_while_the_arm_is_told_to_move(watc
 def test_a_stamp_that_stands_still_counts_as_frozen_even_at_rest(watch):
     assert watch.judge(sample(1, HOME + 1e-6), HOME) is Condition.NONE
     assert watch.judge(sample(1, HOME - 1e-6), HOME) is Condition.FROZEN
+
+
+def test_limits_that_are_not_even_about_zero_are_those_of_each_side():
+    limits = ArmDescription().limits._replace(position_min=HOME - 0.1, position_max=HOME + 0.2)
+    for offset, condition in (
+        (-0.11, Condition.NONE), (-0.13, Condition.OUT_OF_RANGE),
+        (0.21, Condition.NONE), (0.23, Condition.OUT_OF_RANGE),
+    ):  # fmt: skip
+        watch = JointWatch(WatchParameters(), limits, 0.004)
+        assert watch.judge(sample(1, HOME + offset), HOME) is condition
