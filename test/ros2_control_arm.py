@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""An arm as ros2_control shows it: plain messages, in a namespace, joints in order of the alphabet.
+"""An arm as ros2_control shows it: plain messages, a namespace, joints by alphabet.
 
 Nothing here knows the nodes of the workspace. Behind it is the simulated arm, so that it feels.
 """

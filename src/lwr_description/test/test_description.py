@@ -49,7 +49,9 @@ def test_the_limits_of_the_lwr_are_those_of_its_description():
         assert not array.flags.writeable
 
 
-@pytest.mark.parametrize(('file', 'flange'), [('lwr4p.xml', 'link7'), ('lwr4p.urdf', 'lwr_7_link')])
+@pytest.mark.parametrize(
+    ('file', 'flange'), [('lwr4p.xml', 'link7'), ('lwr4p.urdf', 'lwr_7_link')]
+)
 def test_the_lwr_from_a_file_of_a_user_is_the_one_built_in(file, flange):
     """Kinematics, gravity and inertia to 1e-9, from MJCF and from URDF."""
     built_in = Kinematics(Mount())
@@ -125,7 +127,7 @@ def test_of_a_model_only_links_joints_and_shapes_are_kept(tmp_path):
         ({'joints': ('pan', 'lift', 'elbow', 'grip')}, ModelError, "'grip'"),
         ({'flange': 'hnad'}, ModelError, "flange = 'hnad': must be a body"),
         ({'model': 'slim.xml'}, MissingModelError, 'must be an absolute path or PACKAGE:PATH'),
-        ({'model': 'no_such_arms:slim.xml'}, MissingModelError, "no Python package 'no_such_arms'"),
+        ({'model': 'no_arms:slim.xml'}, MissingModelError, "no Python package 'no_arms'"),
         ({'model': 'lwr_description:slim.xml'}, MissingModelError, 'there is no such file'),
     ],
 )  # fmt: skip
