@@ -129,7 +129,7 @@ class Configuration(Parameters):
         model = self.arm.mount.description.model
         if self.robot == FRI and self.arm.mount.description != ArmDescription():
             raise self.refuse(
-                'arm.mount.description', model, f"the LWR 4+: arm '{FRI}' is no other"
+                'arm.mount.description', model, f"the LWR 4+, unchanged: arm '{FRI}' is no other"
             )
         find_model(model)
 

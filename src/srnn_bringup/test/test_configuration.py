@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import yaml
 
+from lwr_description import MissingModelError
 from srnn_bringup.config import Choices, load
 from srnn_bringup.config_lookup import config_directory, find_scene, scene_names
 from srnn_bringup.errors import BringupError, ChoiceError, ConfigDirectoryError
@@ -58,6 +59,8 @@ def test_choices_win_over_files():
         (Choices(signal='constant', alpha=2.0), ParameterError, '> 0 and <= 1'),
         (Choices(seed=-1), ParameterError, 'seed = -1: must be >= 0'),
         (Choices(scene='four_waypoint'), ChoiceError, "did you mean 'four_waypoints'?"),
+        (Choices(description='lwr4'), ChoiceError, "did you mean 'lwr4p'?"),
+        (Choices(description='ur5e', arm='fri'), ParameterError, 'must be the LWR 4+'),
         (Choices(initial_weights=Path('nowhere.npz')), SrnnError, 'nowhere.npz'),
     ],
 )
@@ -78,6 +81,10 @@ def test_impossible_choices_are_refused_by_name(choices, error, words):
          ParameterError, 'dimensions = 3: must be 2'),
         ('arms/lwr4p.yaml', lambda d: d['mount'].update(tool_mass='heavy'),
          ParameterError, "tool_mass = 'heavy': must be a number"),
+        ('arms/lwr4p.yaml', lambda d: d['mount']['description'].update(model='no_arms:a.xml'),
+         MissingModelError, "no Python package 'no_arms'"),
+        ('arms/lwr4p.yaml', lambda d: d['arm']['impedance'].update(stiffness=[2000.0] * 6),
+         ParameterError, 'must be 7 values, one for each joint'),
         ('tracking.yaml', lambda d: d['tracking']['gate'].update(speed_limit=0.05),
          ParameterError, 'velocity = 0.1: must be <= speed_limit = 0.05'),
         ('scenes/four_waypoints.yaml', lambda d: d.update(blocked=4),

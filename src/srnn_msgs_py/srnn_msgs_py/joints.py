@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False)
 class JointSample:
-    """One measurement of the arm, FRI order and signs.
+    """One measurement of the arm, joints in the order of its description.
 
     Attributes:
         stamp_ns: time of measurement [ns of ROS time].
-        position: (7,) joint angles [rad].
-        velocity: (7,) joint velocities [rad/s].
-        torque: (7,) measured joint torques [Nm].
-        external_torque: (7,) the arm's own estimate of the external torques [Nm].
+        position: (n,) joint angles [rad].
+        velocity: (n,) joint velocities [rad/s].
+        torque: (n,) measured joint torques [Nm].
+        external_torque: (n,) the arm's own estimate of the external torques [Nm].
         lag_ns: how much later the external torques were measured [ns].
 
     """
