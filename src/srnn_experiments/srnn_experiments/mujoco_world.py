@@ -19,12 +19,12 @@ TICKS_PER_CYCLE = 4
 
 
 class MujocoWorld:
-    """A MuJoCo LWR 4+ that stops on contact by what the tracker estimates.
+    """An arm in MuJoCo that stops on contact by what the tracker estimates.
 
     Attributes:
         arm: the simulated arm.
         tracker: what moves it.
-        command: (7,) last joint command [rad], None before the first.
+        command: (n,) last joint command [rad], None before the first.
 
     """
 
