@@ -10,7 +10,7 @@ PACKAGE = 'lwr_description'
 setup(
     name=PACKAGE,
     version='0.1.0',
-    description='Serial arms from a description: limits, kinematics, dynamics; the KUKA LWR 4+.',
+    description='KUKA LWR 4+: models, limits, kinematics and dynamics.',
     license='Apache-2.0',
     maintainer='srnn workspace maintainers',
     maintainer_email='maintainers@example.org',
