@@ -12,6 +12,7 @@ EXAMPLES: Mapping[str, Mapping[str, str]] = {
     'demo': {
         'srnn demo --segments 20': 'a short one',
         'srnn demo --scene corner --signal global': 'another scene, another learning signal',
+        'srnn demo --arm-description ur5e': 'another arm',
         'srnn demo --record run --json - --quiet': 'only the figures, and a recording',
     },
     'up': {

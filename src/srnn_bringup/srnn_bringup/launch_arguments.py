@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import re
 from typing import NoReturn
 
-from srnn_bringup.config_lookup import config_directory, network_names, scene_names
+from srnn_bringup.config_lookup import arm_names, config_directory, network_names, scene_names
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph_options import add_up
 from srnn_config.nearest import did_you_mean
@@ -46,7 +46,11 @@ class _Parser(argparse.ArgumentParser):
 def launch_arguments() -> list[LaunchArgument]:
     """Return the arguments in the order of the options."""
     directory = config_directory()
-    names = {'scene': scene_names(directory), 'network': network_names(directory)}
+    names = {
+        'arm_description': arm_names(directory),
+        'scene': scene_names(directory),
+        'network': network_names(directory),
+    }
     return [_argument(action, names.get(action.dest, [])) for action in _parser()._actions]
 
 
