@@ -10,9 +10,8 @@ EXAMPLES: Mapping[str, Mapping[str, str]] = {
         'srnn demo --help': 'what else it can do',
     },
     'demo': {
-        'srnn demo --segments 20': 'a short one',
         'srnn demo --scene corner --signal global': 'another scene, another learning signal',
-        'srnn demo --arm-description ur5e': 'another arm',
+        'srnn demo --arm-description ur5e --segments 20': 'another arm, a short run',
         'srnn demo --record run --json - --quiet': 'only the figures, and a recording',
     },
     'up': {

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 
 SECTIONS: Mapping[str, tuple[str, ...]] = {
     'what runs': (
-        '--arm', '--emulator', '--scene', '--target', '--world', '--agent',
+        '--arm', '--arm-description', '--emulator', '--scene', '--target', '--world', '--agent',
         '--network', '--seed', '--segments', '--trials', '--scenes', '--first', '--long',
         '--repeats', '--only',
     ),
