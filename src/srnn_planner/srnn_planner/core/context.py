@@ -2,6 +2,7 @@
 """Context neurons: a population around a way point that pulls the random walk there."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,5 +60,12 @@ def way_point_population(
     longer = np.full(len(neurons), detour, dtype=np.float64)
     share = generalized_error(centres, neurons, longer, p.scale, p.exponent)
     weights = p.amplitude / p.neurons * share
-    probability = np.linspace(p.spike_probability_start, p.spike_probability_end, steps)
+    probability = _ramp(p.spike_probability_start, p.spike_probability_end, steps)
     return ContextPopulation(weights, probability)
+
+
+@lru_cache(maxsize=8)
+def _ramp(first: float, last: float, steps: int) -> NDArray[np.float64]:
+    ramp = np.linspace(first, last, steps)
+    ramp.flags.writeable = False
+    return ramp

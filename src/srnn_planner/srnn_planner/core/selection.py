@@ -13,7 +13,7 @@ from srnn_planner.core.parameters import SelectionParameters
 
 Judged = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
-BATCH = 8
+BATCH = 40
 """Modes judged at a time: so many first, twice as many then, and so on."""
 
 

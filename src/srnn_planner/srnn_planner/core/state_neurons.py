@@ -55,7 +55,7 @@ class StateNeurons:
             among: (m,) return those of these neurons only, as (n, m).
 
         """
-        shares = [self._responsibilities_along(x) for x in points.T]
+        shares = self._shares(points)
         if among is not None:
             axes = self.prior.grid.coordinates[among].T
             named = [share[:, axis] for share, axis in zip(shares, axes, strict=True)]
@@ -63,11 +63,11 @@ class StateNeurons:
         omega, *others = shares
         for share in others:
             omega = (omega[:, :, None] * share[:, None, :]).reshape(len(points), -1)
-        return omega
+        return np.asarray(omega)
 
     def highest_responsibilities(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return (K,) what the responsibility of each neuron for points (n, d) is at most."""
-        highest, *others = (self._responsibilities_along(x).max(axis=0) for x in points.T)
+        highest, *others = (share.max(axis=0) for share in self._shares(points))
         for share in others:
             highest = np.outer(highest, share).ravel()
         return np.asarray(highest)
@@ -79,15 +79,19 @@ class StateNeurons:
 
         The plain reference of `GridMean`.
         """
-        first, *others = (self._responsibilities_along(x) for x in points.T)
+        first, *others = self._shares(points)
         mean = first @ values.reshape(len(self._axis), -1)
         for share in others:
             mean = np.einsum('nm,nmr->nr', share, mean.reshape(*share.shape, -1))
         return np.asarray(mean[:, 0])
 
-    def _responsibilities_along(self, coordinate: NDArray[np.float64]) -> NDArray[np.float64]:
-        distance = (coordinate[:, None] - self._axis) / self.parameters.sigma
-        return _normalised(-0.5 * distance**2)
+    def _shares(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the responsibilities along each axis alone (d, n, M)."""
+        distance = (points.T[:, :, None] - self._axis) / self.parameters.sigma
+        exponent = -0.5 * distance**2
+        # Relative to the nearest neuron, so that a point far outside does not give 0/0.
+        basis = np.exp(exponent - exponent.max(axis=2, keepdims=True))
+        return np.asarray(basis / basis.sum(axis=2, keepdims=True))
 
     @cached_property
     def prior(self) -> PriorWeights:
@@ -109,12 +113,6 @@ class StateNeurons:
 
         """
         return Synapses.checked(self.prior, learned)
-
-
-def _normalised(exponent: NDArray[np.float64]) -> NDArray[np.float64]:
-    # Relative to the nearest neuron, so that a point far outside does not give 0/0.
-    basis = np.exp(exponent - exponent.max(axis=1, keepdims=True))
-    return np.asarray(basis / basis.sum(axis=1, keepdims=True))
 
 
 def _squared_distances(
