@@ -15,11 +15,11 @@ def spike_probability(
 ) -> NDArray[np.float64]:
     """Return P[Poisson(lambda) >= spike_count] for responsibilities of any shape.
 
-    lambda = clip(rate_scale * omega, 0, rate_limit). Only this probability matters,
+    lambda = min(rate_scale * omega, rate_limit). Only this probability matters,
     so one uniform number decides a spike (Tanneberg et al. 2019, "Spike Encoding of
     Trajectories").
     """
-    rate = np.clip(parameters.rate_scale * responsibilities, 0.0, parameters.rate_limit)
+    rate = np.minimum(parameters.rate_scale * responsibilities, parameters.rate_limit)
     # The sum of rate^n / n! over n < spike_count, without powers.
     below = np.ones_like(rate)
     for n in range(parameters.spike_count - 1, 0, -1):

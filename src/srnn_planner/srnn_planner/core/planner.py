@@ -163,11 +163,11 @@ class SegmentPlanner:
         goal = self._goal(request.target)
         paths, valid, spikes = self._sample(here, goal.context)
         kept = np.zeros(len(paths), dtype=bool)
-        if valid.mean() < self.planning.sampling.valid_share:
+        which = np.flatnonzero(valid)
+        if len(which) / len(paths) < self.planning.sampling.valid_share:
             return Plan(None, paths, kept, spikes)
-        kept[valid] = select(
-            paths[valid], self.planning.selection, self._cost(request, goal)
-        )
+        chosen = paths if len(which) == len(paths) else paths[which]
+        kept[which] = select(chosen, self.planning.selection, self._cost(request, goal))
         average = self.model.workspace.to_metres(paths[kept].mean(axis=0))
         extent = self.model.workspace.half_extent
         trajectory = segment_along(average, request, self.planning.trajectory, extent)
