@@ -209,8 +209,9 @@ class SegmentPlanner:
         planning = self.planning
 
         def way_left(paths: NDArray[np.float64]) -> NDArray[np.float64]:
-            left = self._mean.at(goal.remaining, np.ascontiguousarray(paths[:, -1]))
-            away = np.linalg.norm(paths[:, -1] - request.target, axis=1)
+            ends = np.ascontiguousarray(paths[:, -1])
+            left = self._mean.at(goal.remaining, ends)
+            away = np.sqrt(((ends - request.target) ** 2).sum(axis=1))
             left[away <= request.reach] = 0.0
             return left
 

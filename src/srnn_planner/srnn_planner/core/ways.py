@@ -38,6 +38,7 @@ class Ways:
         spacing = 2.0 / (neurons.parameters.neurons_per_dimension - 1)
         self._reach = 1.5 * spacing
         self._untaxed = np.ones(len(self._post))
+        self._ends = b'', np.zeros(0)
         self._rested = b'', np.zeros(0)
 
     def tolls(
@@ -96,9 +97,18 @@ class Ways:
         target: NDArray[np.float64],
         fatigue: NDArray[np.float64],
     ) -> NDArray[np.float64]:
-        away = np.linalg.norm(self._positions - target, axis=1)
-        start = np.where(away <= max(self._reach, float(away.min())), away, np.inf)
         steps = self._steps
         return np.asarray(
-            distances(steps.first, steps.pre, steps.length, tolls, fatigue, start)
+            distances(
+                steps.first, steps.pre, steps.length, tolls, fatigue, self._near(target)
+            )
         )
+
+    def _near(self, target: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return how far each neuron (K,) is from a target, infinite if others are nearer."""
+        key = target.tobytes()
+        if self._ends[0] != key:
+            away = np.linalg.norm(self._positions - target, axis=1)
+            within = away <= max(self._reach, float(away.min()))
+            self._ends = key, np.where(within, away, np.inf)
+        return self._ends[1]
