@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A running `srnn` command: what it prints, and the processes below it."""
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 import os
 from pathlib import Path
 import re
@@ -84,3 +86,19 @@ def nothing_left(srnn: Srnn, folder: Path) -> bool:
     """Tell whether all processes and the private files of a command are gone."""
     processes = [pid for pid in srnn.pids.values() if Path(f'/proc/{pid}').exists()]
     return not processes and not list(folder.glob('srnn_*'))
+
+
+@contextmanager
+def commands_in(folder: Path) -> Iterator[Callable[..., Srnn]]:
+    """Start commands in a folder with the scene of the wall; nothing may be left of them."""
+    running: list[Srnn] = []
+    (folder / 'wall.yaml').write_text(SCENE)
+
+    def run(*arguments: str) -> Srnn:
+        running.append(Srnn(folder, *arguments))
+        return running[-1]
+
+    yield run
+    for srnn in running:
+        srnn.close()
+    assert all(nothing_left(srnn, folder) for srnn in running)

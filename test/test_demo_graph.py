@@ -8,7 +8,7 @@ from pathlib import Path
 import signal
 
 import pytest
-from srnn_process import RUN_S, SCENE, START_S, STOP_S, Srnn, nothing_left
+from srnn_process import RUN_S, SCENE, START_S, STOP_S, commands_in, nothing_left
 
 from srnn_planner.core import weights_file
 
@@ -18,16 +18,8 @@ NODES = {'sim_bridge', 'tracker', 'adapter', 'planner'}
 
 @pytest.fixture
 def start(tmp_path: Path) -> Iterator:
-    running: list[Srnn] = []
-    (tmp_path / 'wall.yaml').write_text(SCENE)
-
-    def run(*arguments: str) -> Srnn:
-        running.append(Srnn(tmp_path, *arguments))
-        return running[-1]
-
-    yield run
-    for srnn in running:
-        srnn.close()
+    with commands_in(tmp_path) as run:
+        yield run
 
 
 def test_demo_runs_learns_and_reports(start, tmp_path):

@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 import pytest
-from srnn_process import SCENE, START_S, STOP_S, Srnn, nothing_left
+from srnn_process import START_S, STOP_S, commands_in
 
 from srnn_bringup.session import session
 from srnn_msgs_py.ros import belief, diagnostics, result, segment, weights
@@ -54,18 +54,9 @@ class Ear:
 
 @pytest.fixture
 def start(tmp_path: Path) -> Iterator:
-    running: list[Srnn] = []
-    (tmp_path / 'wall.yaml').write_text(SCENE)
     (tmp_path / 'mirrored.yaml').write_text(MIRRORED)
-
-    def run(*arguments: str) -> Srnn:
-        running.append(Srnn(tmp_path, *arguments))
-        return running[-1]
-
-    yield run
-    for srnn in running:
-        srnn.close()
-    assert all(nothing_left(srnn, tmp_path) for srnn in running)
+    with commands_in(tmp_path) as run:
+        yield run
 
 
 @pytest.fixture
