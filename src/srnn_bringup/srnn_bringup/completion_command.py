@@ -2,12 +2,13 @@
 """`srnn completion`: what a shell needs to complete the command line of `srnn`."""
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
+from pathlib import Path
 import re
 from typing import TYPE_CHECKING
 
-from srnn_bringup.config_lookup import config_directory, scene_names
+from srnn_bringup.config_lookup import arm_names, config_directory, network_names, scene_names
 from srnn_bringup.exit_codes import DONE
 
 if TYPE_CHECKING:
@@ -15,12 +16,18 @@ if TYPE_CHECKING:
 
 SHELLS = ('bash', 'zsh')
 
-_SCENES = '_srnn_scene_or_file'
-_FUNCTIONS = {
-    'bash': '{function}() {{ compgen -W "{names}" -- $1; compgen -f -- $1; }}',
-    'zsh': "{function}() {{ _alternative 'scenes:scene:({names})' 'files:file:_files' }}",
+_NAMES: dict[str, tuple[str, Callable[[Path], list[str]]]] = {
+    'SCENE': ('scene', scene_names),
+    'NETWORK': ('network', network_names),
+    'DESCRIPTION': ('arm', arm_names),
 }
-_FILES = ('FILE', 'PICTURE', 'BAG', 'BAG_OR_DIR', 'SOURCE', 'OTHER', 'NETWORK')
+"""By metavar, what is chosen by name or path of a file, and its names."""
+
+_FUNCTIONS = {
+    'bash': '_srnn_{kind}() {{ compgen -W "{names}" -- $1; compgen -f -- $1; }}',
+    'zsh': "_srnn_{kind}() {{ _alternative '{kind}s:{kind}:({names})' 'files:file:_files' }}",
+}
+_FILES = ('FILE', 'PICTURE', 'BAG', 'BAG_OR_DIR', 'SOURCE', 'OTHER')
 _DIRECTORIES = ('DIR', 'KEYSTORE')
 
 
@@ -57,12 +64,15 @@ def script(root: 'Parser', shell: str) -> str:
             action.complete = shtab.FILE  # type: ignore[attr-defined]
         elif metavar in _DIRECTORIES:
             action.complete = shtab.DIRECTORY  # type: ignore[attr-defined]
-        elif metavar == 'SCENE':
-            action.complete = dict.fromkeys(SHELLS, _SCENES)  # type: ignore[attr-defined]
+        elif metavar in _NAMES:
+            function = f'_srnn_{_NAMES[metavar][0]}'
+            action.complete = dict.fromkeys(SHELLS, function)  # type: ignore[attr-defined]
         # A colon in it would end what zsh reads.
         action.metavar = re.sub(r'\W+', '_', metavar) or None
-    names = ' '.join(scene_names(config_directory()))
-    preamble = _FUNCTIONS[shell].format(function=_SCENES, names=names)
+    preamble = '\n'.join(
+        _FUNCTIONS[shell].format(kind=kind, names=' '.join(names(config_directory())))
+        for kind, names in _NAMES.values()
+    )
     return str(shtab.complete(root, shell=shell, preamble=preamble))
 
 

@@ -106,7 +106,7 @@ def run_experiment(
         say(f'weights: {asked.save_weights}')
     report = experiment_document(
         configuration.scene.task.name, configuration.learning, asked.segments,
-        asked.seed, asked.world, done,
+        asked.seed, asked.world, setting.arm_model, done,
     )
     if asked.json is not None:
         write_document(asked.json, report)

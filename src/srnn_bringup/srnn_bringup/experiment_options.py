@@ -5,9 +5,18 @@ import argparse
 from collections.abc import Callable
 
 from srnn_bringup.command_line import Parser
-from srnn_bringup.config import SEED_MAX, Choices, Configuration, load
+from srnn_bringup.config import (
+    ARM_DESCRIPTION,
+    SEED_MAX,
+    STANDARD_SCENE,
+    Choices,
+    Configuration,
+    load,
+)
 from srnn_bringup.config_lookup import config_directory, find_scene
+from srnn_bringup.errors import ChoiceError
 from srnn_bringup.options import (
+    add_arm_description,
     add_learning,
     add_network,
     add_scene,
@@ -86,6 +95,7 @@ def _add_world(parser: Parser) -> None:
         '--world', choices=WORLDS, default='mujoco',
         help='the simulated arm, or a point that stops at obstacles (default: %(default)s)',
     )
+    add_arm_description(parser)
 
 
 def _add_run(parser: Parser) -> None:
@@ -127,6 +137,7 @@ def _add_transfer(parser: Parser) -> None:
         help='scene of phase 2: all obstacles of that of phase 1 (--scene), and new ones '
         '(default: %(default)s)',
     )
+    add_arm_description(parser)
     add_network(parser)
     _add_out(parser)
 
@@ -153,13 +164,21 @@ def _add_out(parser: Parser) -> None:
 
 
 def _configuration(options: argparse.Namespace) -> Configuration:
+    """Return what trials are done with; random scenes take the place of the standard one."""
+    arm, world = options.arm_description, getattr(options, 'world', 'mujoco')
+    if world == 'point' and arm != ARM_DESCRIPTION:
+        raise ChoiceError(
+            f"arm-description '{arm}' has no effect in world 'point', which has no arm; "
+            "it is for world 'mujoco'"
+        )
     return load(
         Choices(
-            scene=options.scene,
+            description=arm,
+            scene=getattr(options, 'scene', STANDARD_SCENE),
             network=options.network,
             signal=getattr(options, 'signal', None),
             alpha=getattr(options, 'alpha', None),
-            seed=options.seed,
+            seed=getattr(options, 'seed', 0),
             initial_weights=getattr(options, 'weights', None),
         )
     )
@@ -180,8 +199,7 @@ def _random(options: argparse.Namespace) -> int:
     from srnn_bringup.experiment import base_setting, make_scheduler
     from srnn_bringup.random_scenes import run_random_scenes
 
-    configuration = load(Choices(network=options.network))
-    base = base_setting(configuration, options.segments, options.world)
+    base = base_setting(_configuration(options), options.segments, options.world)
     seeds = range(options.first, options.first + options.scenes)
     scheduler = make_scheduler(options.workers, options.scheduler)
     return run_random_scenes(base, seeds, scheduler, options.out, print)

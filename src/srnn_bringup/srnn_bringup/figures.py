@@ -54,7 +54,7 @@ def _write(done: Evaluation, directory: Path) -> str:
     """Write PNG and JSON of every figure and return what is to be said of them."""
     base = done.base
     sections = [
-        f'# {base.scene.task.name}: {len(done.seeds)} trials, world {base.world}\n\n'
+        f'# {base.scene.task.name}: {len(done.seeds)} trials, {base.place}\n\n'
         f'Seeds {done.seeds[0]} to {done.seeds[-1]}, the same for every setting; '
         f'{base.segments} segments, {done.long} with a constant rate. Mean ± sd over trials '
         '[95 % interval].'

@@ -41,7 +41,7 @@ def run_random_scenes(
     found = report(done[: len(seeds)], done[len(seeds) :])
     title = (
         f'{len(seeds)} random scenes, seeds {seeds[0]} to {seeds[-1]}, '
-        f'{base.segments} segments each, world {base.world}'
+        f'{base.segments} segments each, {base.place}'
     )
     text = as_markdown(found, title)
     write_results(directory, 'random', found, text)

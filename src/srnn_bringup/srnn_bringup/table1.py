@@ -56,6 +56,7 @@ def _report(
     return {
         'scene': base.scene.task.name,
         'world': base.world,
+        'arm_model': base.arm_model,
         'segments': base.segments,
         'seeds': list(seeds),
         'rows': dict(table),
@@ -74,7 +75,7 @@ def _text(
 ) -> str:
     lines = [
         f'# {base.scene.task.name}: {len(seeds)} trials of {base.segments} segments, '
-        f'world {base.world}',
+        + base.place,
         '',
         f'Seeds {seeds[0]} to {seeds[-1]}, the same in every row. Mean ± sd over trials '
         '[95 % interval of the mean]. Learned: at least three laps, no contact in the last '

@@ -118,6 +118,7 @@ def _report(
                 'change': work.transfer.change,
                 'source_world': work.transfer.source.world,
                 'target_world': work.transfer.target.world,
+                'arm_model': work.transfer.target.arm_model,
                 'target_arm': to_mapping(work.transfer.target.arm),
                 **found[name],
             }

@@ -38,7 +38,7 @@ def document(
     trial = {'seed': configuration.seed, **figures(recorder, run)}
     return experiment_document(
         configuration.scene.task.name, configuration.learning, run.limit,
-        configuration.seed, WORLD, [trial],
+        configuration.seed, WORLD, configuration.arm.mount.description.model, [trial],
     )
 
 

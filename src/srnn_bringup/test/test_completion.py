@@ -57,6 +57,9 @@ def offered(script):
         (['belief', 'diff', '--p'], {'--picture'}),
         (['completion', ''], {'bash', 'zsh'}),
         (['up', '--scene', 'wa'], {'wall'}),
+        (['demo', '--arm-description', ''], {'lwr4p', 'ur5e'}),
+        (['experiment', 'run', '--arm-description', 'u'], {'ur5e'}),
+        (['up', '--network', 'network_p'], {'network_paper'}),
         (['nothing', '--si'], set()),
     ],
 )
@@ -76,6 +79,7 @@ def test_bash_offers_files_where_one_is_asked_for(offered, tmp_path):
     (tmp_path / 'learned.npz').touch()
     assert offered('up', '--weights', 'lea', cwd=tmp_path) == ['learned.npz']
     assert offered('up', '--scene', 'lea', cwd=tmp_path) == ['learned.npz']
+    assert offered('up', '--arm-description', 'lea', cwd=tmp_path) == ['learned.npz']
 
 
 @pytest.mark.skipif(shutil.which('zsh') is None, reason='zsh is not installed')
@@ -83,7 +87,7 @@ def test_zsh_reads_its_script_and_knows_the_commands(script):
     path = script('zsh')
     ask = (
         'autoload -U compinit && compinit -D -u; eval "$(<$1)"; print -l $_comps[srnn]; '
-        'functions _shtab_srnn_commands; print -l $_shtab_srnn_demo_options'
+        'functions _shtab_srnn_commands _srnn_arm; print -l $_shtab_srnn_demo_options'
     )
     done = subprocess.run(
         ['zsh', '-fc', ask, 'zsh', str(path)], capture_output=True, text=True, timeout=WAIT_S
@@ -93,3 +97,5 @@ def test_zsh_reads_its_script_and_knows_the_commands(script):
     _, commands = cli.parsers()
     assert all(f'{name}:' in done.stdout for name in commands if ' ' not in name)
     assert '--signal[' in done.stdout
+    assert ':DESCRIPTION:_srnn_arm' in done.stdout
+    assert "'arms:arm:(lwr4p ur5e)' 'files:file:_files'" in done.stdout

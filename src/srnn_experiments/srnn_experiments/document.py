@@ -16,11 +16,13 @@ def experiment_document(
     segments: int,
     seed: int,
     world: str,
+    arm_model: str | None,
     trials: Sequence[Mapping[str, Any]],
 ) -> dict[str, Any]:
     """Return the report as plain data.
 
-    Figures that were never heard of are None; a standard deviation over one trial is 0.
+    `arm_model` is the model of the arm, None in the world of a point. Figures that were never
+    heard of are None; a standard deviation over one trial is 0.
     """
     return {
         'scene': scene,
@@ -29,6 +31,7 @@ def experiment_document(
         'segments': segments,
         'seed': seed,
         'world': world,
+        'arm_model': arm_model,
         'trials': list(trials),
         'summary': summary(trials),
     }

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from lwr_description import Mount
+from lwr_description import ArmDescription, Mount, find_model
 from lwr_sim_bridge.parameters import ArmParameters
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_config.scene import Scene
@@ -54,10 +54,27 @@ class Setting:
         model = replace(self.brain.model, learning=learning)
         return replace(self, brain=replace(self.brain, model=model))
 
+    @property
+    def arm_model(self) -> str | None:
+        """Model of the arm that is moved; None in the world of a point."""
+        return None if self.world == 'point' else self.mount.description.model
+
+    @property
+    def place(self) -> str:
+        """The world, and the arm in it if it is not the usual one, in words."""
+        return f'world {self.world}' + (f', arm {self.arm_model}' if self._other_arm else '')
+
+    @property
+    def _other_arm(self) -> bool:
+        return self.arm_model not in (None, ArmDescription().model)
+
     def digest(self) -> str:
         """Return 16 hex digits that differ when anything differs that changes a trial."""
         state = hashlib.sha256()
         _feed(state, self)
+        if self._other_arm:
+            # The model of the LWR 4+ is a part of this code; others may change beneath it.
+            state.update(find_model(self.mount.description.model).read_bytes())
         return state.hexdigest()[:16]
 
 

@@ -13,8 +13,8 @@ from srnn_msgs_py.weights import LearnedWeights
 MASS_SCALE, PAYLOAD = 1.2, 0.5
 """Links over their nominal mass, and what the tool weighs beyond it [kg], of the heavier arm."""
 
-FRICTION = (1.0, 1.0, 1.0, 1.0, 0.5, 0.25, 0.25)
-"""Dry friction of the rougher joints, FRI order [Nm]."""
+ROUGHER = 5.0
+"""Dry friction of the rougher joints over that of the arm."""
 
 DELAY = 0.012
 """How late delayed commands arrive [s]; with 0.02 s free motion already feels like contact."""
@@ -69,7 +69,8 @@ def transfers(base: Setting, target: Scene) -> dict[str, Transfer]:
     there = replace(arm, scene=target)
     was, command = base.arm.mismatch, base.arm.command
     heavier = replace(was, mass_scale=MASS_SCALE, payload=PAYLOAD)
-    rougher = replace(was, friction=FRICTION)
+    friction = tuple(ROUGHER * value for value in was.friction)
+    rougher = replace(was, friction=friction)
     later = replace(command, delay=DELAY)
     return {
         'point to arm': Transfer('a point is replaced by the simulated arm', point, there),
@@ -79,7 +80,7 @@ def transfers(base: Setting, target: Scene) -> dict[str, Transfer]:
             arm, replace(there, arm=replace(base.arm, mismatch=heavier)),
         ),
         'rougher joints': Transfer(
-            f'dry friction of the joints {_range(FRICTION)} instead of {_range(was.friction)} Nm',
+            f'dry friction of the joints {_range(friction)} instead of {_range(was.friction)} Nm',
             arm, replace(there, arm=replace(base.arm, mismatch=rougher)),
         ),
         'delayed commands': Transfer(

@@ -162,9 +162,9 @@ def _worlds(
     transfers: Mapping[str, Transfer], table: Mapping[str, Mapping[str, Any]]
 ) -> list[str]:
     return [
-        f'* {name}: {transfer.change}. Phase 1 in world {transfer.source.world}, learned: '
-        f'{share_text(table[name]["source_learned"])}. Phase 2 in world '
-        f'{transfer.target.world}, contacts where no obstacle is: '
+        f'* {name}: {transfer.change}. Phase 1 in {transfer.source.place}, learned: '
+        f'{share_text(table[name]["source_learned"])}. Phase 2 in '
+        f'{transfer.target.place}, contacts where no obstacle is: '
         f'{table[name]["nothing_touched"]}.'
         for name, transfer in transfers.items()
     ]

@@ -63,7 +63,7 @@ def test_worlds_of_a_row_differ_in_what_it_says_and_in_nothing_else():
     heavier, rougher, late = (row.target.arm for row in others)
     assert heavier.mismatch.mass_scale > BASE.arm.mismatch.mass_scale
     assert heavier.mismatch.payload > BASE.arm.mismatch.payload
-    assert min(rougher.mismatch.friction) > min(BASE.arm.mismatch.friction)
+    assert rougher.mismatch.friction == (1.0, 1.0, 1.0, 1.0, 0.5, 0.25, 0.25)
     assert late.command.delay > BASE.arm.command.delay
     assert '12 instead of 0 ms' in rows['delayed commands'].change
 

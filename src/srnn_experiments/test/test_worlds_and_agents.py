@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lwr_description import ArmDescription, Mount
 from srnn_config.geometry import clearance
 from srnn_config.scene import Obstacle, Scene, SceneTask
 from srnn_experiments.agent import Brain
@@ -72,6 +73,19 @@ def test_settings_differ_in_their_digest_when_anything_differs():
     digests = {s.digest() for s in [base, *others]}
     assert len(digests) == 6
     assert setting(40, DISC).digest() == base.digest()
+
+
+def test_a_model_of_an_own_arm_that_was_edited_is_another_setting(tmp_path):
+    model = tmp_path / 'own.xml'
+    model.write_text('<mujoco/>')
+    point = setting(40, mount=Mount(description=ArmDescription(model=str(model))))
+    arm = replace(point, world='mujoco')
+    assert (arm.place, point.place) == (f'world mujoco, arm {model}', 'world point')
+    before = arm.digest(), point.digest()
+    assert arm.digest() == before[0]
+    model.write_text('<mujoco><!-- heavier --></mujoco>')
+    assert arm.digest() != before[0]
+    assert point.digest() == before[1]
 
 
 def test_a_route_is_a_straight_line_where_nothing_stands():

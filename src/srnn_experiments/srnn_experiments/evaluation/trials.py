@@ -42,6 +42,7 @@ class Evaluation:
         return {
             'scene': self.base.scene.task.name,
             'world': self.base.world,
+            'arm_model': self.base.arm_model,
             'segments': self.long if name in constant_rates() else self.base.segments,
             'seeds': list(self.seeds),
         }
