@@ -27,6 +27,8 @@ SETTING = Setting(SCENE, Brain(ModelParameters(), PlanningParameters()), 12, 'po
 MEASURED = ('planning_ms', 'update_ms', 'wall_s')
 """Times of the machine; everything else is the same wherever a trial is done."""
 
+NO_DASK = 'Dask is not installed'
+
 
 class Refuses:
     def map(self, jobs):
@@ -116,6 +118,7 @@ def test_rows_of_a_table_share_their_seeds():
 
 
 def test_nobody_at_the_address_of_a_scheduler_is_an_error_in_words(monkeypatch):
+    pytest.importorskip('distributed', reason=NO_DASK)
     monkeypatch.setattr('srnn_experiments.schedulers.DASK_TIMEOUT_S', 0.3)
     with pytest.raises(SchedulerError, match='no Dask scheduler answers'):
         DaskCluster('tcp://127.0.0.1:9')
@@ -123,7 +126,7 @@ def test_nobody_at_the_address_of_a_scheduler_is_an_error_in_words(monkeypatch):
 
 @pytest.mark.slow
 def test_a_dask_cluster_gives_the_same_and_survives_the_loss_of_a_worker(expected):
-    distributed = pytest.importorskip('distributed')
+    distributed = pytest.importorskip('distributed', reason=NO_DASK)
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, dashboard_address=None, processes=True
     ) as cluster:
