@@ -10,7 +10,7 @@ import sys
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_bringup.config import config_directory
+from srnn_bringup.config_lookup import config_directory
 from srnn_config.scene import load_scene
 from srnn_experiments.agent import Brain, NetworkAgent
 from srnn_experiments.setting import Setting

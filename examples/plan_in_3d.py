@@ -4,8 +4,8 @@
 from matplotlib.figure import Figure
 import numpy as np
 
-from srnn_bringup.config import config_directory
 from srnn_bringup.config_files import NetworkFile
+from srnn_bringup.config_lookup import config_directory
 from srnn_config import build, read_yaml
 from srnn_planner.core.adapter import Learner
 from srnn_planner.core.planner import PlanRequest, SegmentPlanner

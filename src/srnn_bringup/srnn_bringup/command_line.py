@@ -2,7 +2,7 @@
 """What is wrong with a command line, in one line; what it may say, in sections."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from srnn_bringup.exit_codes import WRONG_USE
@@ -16,9 +16,20 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, *arguments: Any, **options: Any) -> None:
         """Take what `argparse.ArgumentParser` takes."""
         self._sections: dict[str, argparse._ArgumentGroup] = {}
+        self._fill: Callable[[], None] | None = None
         options.setdefault('allow_abbrev', False)
         super().__init__(*arguments, **options)
         self._sections = {title: self.add_argument_group(title) for title in SECTIONS}
+
+    def fill_by(self, fill: Callable[[], None]) -> None:
+        """Have arguments added when they are first needed: to import what they are takes time."""
+        self._fill = fill
+
+    def fill(self) -> None:
+        """Add what `fill_by` has put off."""
+        fill, self._fill = self._fill, None
+        if fill is not None:
+            fill()
 
     @property
     def has_actions(self) -> bool:
@@ -44,6 +55,7 @@ class Parser(argparse.ArgumentParser):
         self, args: Sequence[str] | None = None, namespace: Any = None
     ) -> tuple[argparse.Namespace, list[str]]:
         """Parse; an unknown option is told of before anything that may be missing."""
+        self.fill()
         if args is not None and not self.has_actions:
             self.refuse_unknown([text for text in _before_dashes(args) if self._unknown(text)])
         return super().parse_known_args(args, namespace)

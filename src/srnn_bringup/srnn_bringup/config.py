@@ -8,6 +8,16 @@ from typing import TypeVar
 from lwr_description import ArmDescription, find_model
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_access import Key, key_file
+from srnn_bringup.choices import (
+    ARM_DESCRIPTION,
+    FRI,
+    NETWORK,
+    ROOT,
+    SEED_MAX,
+    SIMULATED,
+    STANDARD_SCENE,
+    Choices,
+)
 from srnn_bringup.config_files import ArmFile, FriFile, NetworkFile, TrackingFile
 from srnn_bringup.config_lookup import config_directory, find_arm, find_network, find_scene
 from srnn_bringup.errors import ChoiceError
@@ -18,59 +28,22 @@ from srnn_planner.core.parameters import LearningParameters
 from srnn_planner.core.state_neurons import StateNeurons
 from srnn_planner.core.synapses import Synapses
 
-STANDARD_SCENE = 'four_waypoints'
-NETWORK = 'network'
-ARM_DESCRIPTION = 'lwr4p'
-
-SIMULATED = 'sim'
-FRI = 'fri'
-
-ROOT = '/'
-"""The namespace of a graph that has no other."""
-
-SEED_MAX = 2**31 - 1
+__all__ = [
+    'ARM_DESCRIPTION',
+    'FRI',
+    'NETWORK',
+    'ROOT',
+    'SEED_MAX',
+    'SIMULATED',
+    'STANDARD_SCENE',
+    'Choices',
+    'Configuration',
+    'load',
+]
 
 _CONSTANT_SIGNALS = ('constant', 'untriggered')
 
 P = TypeVar('P', bound=Parameters)
-
-
-@dataclass(frozen=True)
-class Choices:
-    """What the command line decides; None leaves it to the files.
-
-    Attributes:
-        arm: name of an arm, see `srnn_bringup.arms`.
-        emulated: whether its controller is emulated.
-        description: name of an arm description in the configuration, or path of its file.
-        scene: name of a scene in the configuration, or path of a scene file.
-        network: name of a network in the configuration, or path of its file.
-        signal: learning signal.
-        alpha: rate of the constant learning signals.
-        seed: seed of all random numbers.
-        initial_weights: weight file to start from.
-        weights_file: weight file that is written.
-        key_file: file with the key that the nodes share.
-        keystore: directory of the keystore that protects the graph.
-        namespace: absolute ROS namespace of the nodes.
-        remappings: names of topics and services, and what the nodes use instead.
-
-    """
-
-    arm: str = SIMULATED
-    emulated: bool = False
-    description: str = ARM_DESCRIPTION
-    scene: str = STANDARD_SCENE
-    network: str = NETWORK
-    signal: str | None = None
-    alpha: float | None = None
-    seed: int = 0
-    initial_weights: Path | None = None
-    weights_file: Path | None = None
-    key_file: Path | None = None
-    keystore: Path | None = None
-    namespace: str = ROOT
-    remappings: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

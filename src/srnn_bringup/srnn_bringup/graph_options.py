@@ -6,7 +6,8 @@ from collections.abc import Mapping
 import os
 
 from srnn_bringup.arms import ARMS
-from srnn_bringup.config import FRI, SIMULATED, Choices, Configuration, load
+from srnn_bringup.choices import FRI, SIMULATED, Choices
+from srnn_bringup.config import Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.key_command import add_key
 from srnn_bringup.options import (
@@ -51,7 +52,7 @@ def add_graph(parser: argparse.ArgumentParser, arms: Mapping[str, str]) -> None:
     )  # fmt: skip
 
 
-def add_up(parser: argparse.ArgumentParser) -> None:
+def add_up_options(parser: argparse.ArgumentParser) -> None:
     """Add what `srnn up` and the launch file have: the graph with any arm, or a part of it."""
     add_graph(parser, ARMS)
     add_part(parser)

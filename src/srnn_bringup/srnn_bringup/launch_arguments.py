@@ -9,7 +9,7 @@ from typing import NoReturn
 
 from srnn_bringup.config_lookup import arm_names, config_directory, network_names, scene_names
 from srnn_bringup.errors import ChoiceError
-from srnn_bringup.graph_options import add_up
+from srnn_bringup.graph_options import add_up_options
 from srnn_config.nearest import did_you_mean
 
 _OF_LAUNCH = ('launch-prefix', 'launch-prefix-filter')
@@ -91,7 +91,7 @@ def refuse_unknown(names: Iterable[str]) -> None:
 
 def _parser() -> _Parser:
     parser = _Parser(add_help=False, allow_abbrev=False)
-    add_up(parser)
+    add_up_options(parser)
     return parser
 
 

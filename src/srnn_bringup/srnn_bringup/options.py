@@ -8,11 +8,9 @@ from pathlib import Path
 import re
 from typing import TypeVar
 
-from srnn_bringup.config import ARM_DESCRIPTION, NETWORK, ROOT, SEED_MAX, STANDARD_SCENE
+from srnn_bringup.choices import ARM_DESCRIPTION, NETWORK, ROOT, SEED_MAX, STANDARD_SCENE
 from srnn_bringup.errors import ChoiceError
-from srnn_bringup.graph import NAMES, part
 from srnn_bringup.peers import find_peer
-from srnn_planner.core.dissonance import SIGNALS
 
 PICTURE_FORMATS = ('.png', '.pdf', '.svg')
 
@@ -52,6 +50,8 @@ def add_network(parser: argparse.ArgumentParser, default: str = NETWORK) -> None
 
 def add_learning(parser: argparse.ArgumentParser) -> None:
     """Add what is learned with, and from which weights."""
+    from srnn_planner.core.dissonance import SIGNALS
+
     parser.add_argument(
         '--signal', choices=tuple(SIGNALS), help='learning signal (default: as NETWORK says)'
     )
@@ -103,8 +103,17 @@ def add_peers(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_running_graph(parser: argparse.ArgumentParser) -> None:
+    """Add where a running graph is, and how one takes part in it."""
+    add_peers(parser)
+    add_keystore(parser)
+    add_namespace(parser)
+
+
 def add_part(parser: argparse.ArgumentParser) -> None:
     """Add the choice of a part of the graph."""
+    from srnn_bringup.graph import NAMES, part
+
     parser.add_argument(
         '--only', type=_checked(part), default=(), metavar='NODE[,NODE...]',
         help=f'nodes to start on this host: {", ".join(NAMES)} (default: all)',

@@ -12,11 +12,12 @@ import tempfile
 from typing import TYPE_CHECKING, Any
 
 from srnn_bringup.arms import ARMS
-from srnn_bringup.config import SIMULATED, Choices, load
+from srnn_bringup.choices import SIMULATED, Choices
+from srnn_bringup.config import load
 from srnn_bringup.console import Console
 from srnn_bringup.environment import check_environment
-from srnn_bringup.errors import Interrupted
-from srnn_bringup.exit_codes import DONE, FAILED, WRONG_USE, by_signal
+from srnn_bringup.errors import ChoiceError, Interrupted
+from srnn_bringup.exit_codes import DONE, FAILED, by_signal
 from srnn_bringup.graph import describe, write_parameters
 from srnn_bringup.options import add_network, add_seed
 from srnn_bringup.speech import progress, write_document
@@ -26,7 +27,6 @@ from srnn_node.signals import StopRequest
 from srnn_planner.core import belief, weights_file
 from srnn_planner.core.dissonance import SIGNALS
 from srnn_planner.core.parameters import ModelParameters
-from srnn_replay.errors import ReplayError
 
 if TYPE_CHECKING:
     from tqdm import tqdm
@@ -53,17 +53,16 @@ def run_replay(
         document: where to write what was found; None for nowhere.
 
     Returns:
-        Exit code: 0 if all decisions are identical, 1 if one differs, 2 if they cannot be
-        made again.
+        Exit code: 0 if all decisions are identical, 1 if one differs.
+
+    Raises:
+        BagError: there is no such bag, or it is damaged.
+        ReplayError: they cannot be made again.
 
     """
-    try:
-        if changes:
-            return _learn(bag, changes, save, document)
-        return _check(bag, told, document)
-    except ReplayError as error:
-        print(f'srnn replay: {error}', file=sys.stderr)
-        return WRONG_USE
+    if changes:
+        return _learn(bag, changes, save, document)
+    return _check(bag, told, document)
 
 
 def _check(bag: Path, told: Mapping[str, bytes], document: Path | None) -> int:
@@ -199,8 +198,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.signal is not None:
         changes['learning.signal'] = options.signal
     if options.save_weights is not None and not changes:
-        print('srnn replay: --save-weights needs --signal or --set', file=sys.stderr)
-        return WRONG_USE
+        raise ChoiceError('--save-weights needs --signal or --set')
     told = {} if options.scene is None else _told(options)
     return run_replay(options.bag, changes, options.save_weights, told, options.json)
 

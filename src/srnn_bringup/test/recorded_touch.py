@@ -61,13 +61,13 @@ def write(directory: Path) -> Path:
     with BagWriter(directory) as writer:
         put = _putter(writer)
         _arm(put)
-        put('segment', BEGIN - 10 * MS, segment.to_msg(_segment(FIRST)))
+        put('segment', BEGIN - 10 * MS, segment.to_msg(plan(FIRST)))
         stop = SegmentResult(FIRST, ResultCode.BLOCKED, 'tracking error')
         put('segment_result', RESULT_SENT, result.to_msg(stop))
-        put('segment', RESULT_SENT + MS, segment.to_msg(_segment(BEFORE)))
+        put('segment', RESULT_SENT + MS, segment.to_msg(plan(BEFORE)))
         for version, stamp, sent in ((0, 0, BEGIN - 20 * MS), (1, FIRST, RESULT_SENT + SHARED)):
             put('weights', sent, weights.to_msg(WeightsUpdate(version, stamp, NOTHING)))
-        put('segment', RESULT_SENT + SENT, segment.to_msg(_segment(AFTER)))
+        put('segment', RESULT_SENT + SENT, segment.to_msg(plan(AFTER)))
         put('planner/journal', BEGIN + 10**9, journal.to_msg(_planned()))
     return directory
 
@@ -127,6 +127,7 @@ def _journal(rows: list[tuple[int, int, int, int, int]]) -> Journal:
     return Journal(BEGIN - 30 * MS, 0, np.array(rows, dtype=np.int64))
 
 
-def _segment(stamp: int) -> Segment:
+def plan(stamp: int) -> Segment:
+    """Return a segment that stands still."""
     times = np.linspace(0.0, DURATION_S, 3)
     return Segment(stamp, times, *np.zeros((3, 3, 2)))

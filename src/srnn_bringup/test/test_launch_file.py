@@ -17,7 +17,7 @@ from srnn_bringup.config import Choices, load
 from srnn_bringup.environment import graph_environment
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph import describe
-from srnn_bringup.graph_options import add_up
+from srnn_bringup.graph_options import add_up_options
 from srnn_bringup.launch_arguments import launch_arguments, refuse_unknown
 from srnn_bringup.record import RECORDING
 
@@ -73,7 +73,7 @@ def test_arguments_are_the_options_of_srnn_up_with_defaults_and_choices(launch_f
     (entities,) = launch_file['generate_launch_description']().positional
     arguments = {entity.positional[0]: entity.named for entity in entities if entity.positional}
     parser = argparse.ArgumentParser(add_help=False)
-    add_up(parser)
+    add_up_options(parser)
     assert list(arguments) == [action.dest for action in parser._actions]
     assert {'arm', 'scene', 'signal', 'record', 'view', 'namespace'} <= set(arguments)
     assert all(named['description'] for named in arguments.values())

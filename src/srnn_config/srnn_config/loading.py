@@ -8,7 +8,6 @@ from typing import Any, TypeVar, get_type_hints
 
 from srnn_config.errors import ConfigFileError, ParameterError, UnknownKeyError
 from srnn_config.fields import Parameters, is_required, spec_of
-from srnn_config.plain_yaml import parse
 from srnn_config.regular_file import read_regular
 
 P = TypeVar('P', bound=Parameters)
@@ -27,6 +26,9 @@ def read_yaml(path: str | Path) -> dict[str, Any]:
             the limits of `plain_yaml`, or no mapping.
 
     """
+    # Where PyYAML is missing, what needs no file works nevertheless.
+    from srnn_config.plain_yaml import parse
+
     try:
         text = read_regular(path, MAX_FILE_BYTES).decode('utf-8')
     except UnicodeDecodeError as error:

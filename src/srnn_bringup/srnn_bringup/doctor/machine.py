@@ -8,12 +8,10 @@ from socket import SOCK_DGRAM, SOCK_STREAM
 import sys
 import tempfile
 
-from srnn_bringup.config import Choices, load
 from srnn_bringup.doctor import probes
+from srnn_bringup.doctor.defaults import defaults
 from srnn_bringup.doctor.finding import Finding, Verdict, judged
-from srnn_bringup.errors import BringupError
 from srnn_bringup.options import VIEW_PORT
-from srnn_config import ConfigError
 
 CPUS = 2
 """With fewer, planning delays the control of the arm."""
@@ -99,10 +97,9 @@ def _beside_kernels() -> Path:
 
 
 def _ports() -> Iterator[Finding]:
-    try:
-        fri = load(Choices()).fri.fri.link.port
-    except (BringupError, ConfigError):  # the finding on the configuration tells
-        fri = FRI_PORT
+    told = defaults()
+    # If it is not known, the finding on the configuration tells.
+    fri = FRI_PORT if isinstance(told, Finding) else told.fri.fri.link.port
     for subject, kind, port, advice in (
         ('port of FRI', SOCK_DGRAM, fri, 'end its owner (ss -lunp) before srnn up --arm fri'),
         ('port of the view', SOCK_STREAM, VIEW_PORT, 'choose another: --view PORT'),

@@ -16,7 +16,7 @@ from srnn_bringup.environment import (
     uses_loopback,
 )
 from srnn_bringup.errors import BringupError, ChoiceError
-from srnn_bringup.graph import NAMES
+from srnn_msgs_py.topics import NODES
 
 RECEIVE_QUEUE = 1 << 20
 """Bytes that `config/fastdds.xml` asks for: some messages of weights fit into it."""
@@ -82,7 +82,7 @@ def _domain(environ: Mapping[str, str], heard: Heard) -> Finding:
     domain = environ.get(DOMAIN_ID) or '0'
     if not heard.others:
         return Finding(DOMAIN_ID, Verdict.OK, f'{domain}; no others are seen in it')
-    ours = ', a graph of srnn among them' if set(heard.others) & set(NAMES) else ''
+    ours = ', a graph of srnn among them' if set(heard.others) & set(NODES) else ''
     words = f'{domain} is in use{ours}: {", ".join(heard.others)}'
     advice = f'if these are not yours, choose another: export {DOMAIN_ID}=N'
     return Finding(DOMAIN_ID, Verdict.WARN, words, advice)

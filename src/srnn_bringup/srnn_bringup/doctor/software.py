@@ -6,12 +6,10 @@ from importlib import metadata
 from pathlib import Path
 import sys
 
-from srnn_bringup.config import Choices, load
 from srnn_bringup.config_lookup import config_directory, scene_names
+from srnn_bringup.doctor.defaults import SUBJECT, defaults
 from srnn_bringup.doctor.finding import Finding, Verdict, judged
 from srnn_bringup.doctor.imports import refusals
-from srnn_bringup.errors import BringupError
-from srnn_config import ConfigError
 
 PYTHON = (3, 11)
 NEEDED = (
@@ -94,11 +92,9 @@ def versions(lock: Path) -> Finding:
 
 
 def _configuration() -> Finding:
-    try:
-        directory = config_directory()
-        load(Choices(), directory)
-    except (BringupError, ConfigError) as error:
-        advice = 'correct this file, or restore it'
-        return Finding('configuration', Verdict.FAIL, str(error), advice)
+    told = defaults()
+    if isinstance(told, Finding):
+        return told
+    directory = config_directory()
     scenes = ', '.join(scene_names(directory))
-    return Finding('configuration', Verdict.OK, f'{directory}; scenes: {scenes}')
+    return Finding(SUBJECT, Verdict.OK, f'{directory}; scenes: {scenes}')

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A recorded run as a report needs it: segments, weights, tip, events and times."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 import json
 from pathlib import Path
@@ -15,9 +15,11 @@ from rclpy.serialization import deserialize_message
 
 from srnn_bag import Bag, Message, open_bag
 from srnn_bag.attached import RUN, SCENE
-from srnn_bringup.config import Choices, Configuration, load
+from srnn_bringup.choices import ROOT, Choices
+from srnn_bringup.config import Configuration, load
 from srnn_bringup.config_files import NetworkFile
 from srnn_bringup.recorder import Recorder, start_recording
+from srnn_msgs_py.health import Health, in_namespace
 from srnn_msgs_py.ros import (
     diagnostics,
     dissonance,
@@ -85,6 +87,9 @@ def read_run(path: Path) -> BagRun:
     def since(ns: int) -> float:
         return 1e-9 * (ns - began_ns)
 
+    def own_health(msg: Any) -> Mapping[str, Health]:
+        return in_namespace(diagnostics.from_msg(msg), reader.namespace)
+
     events: list[Event] = []
     heard: list[tuple[int, Callable[[], None]]] = []
     found: dict[str, list[tuple[Message, Any]]] = {}
@@ -95,7 +100,7 @@ def read_run(path: Path) -> BagRun:
         ('dissonance', dissonance.from_msg, recorder.dissonance),
         ('weights', weights.from_msg, recorder.weights),
         (TRUTH, _force, recorder.force),
-        ('/diagnostics', diagnostics.from_msg, recorder.health),
+        ('/diagnostics', own_health, recorder.health),
     ):
         found[name] = reader.values(name, convert)
         for message, value in found[name]:
@@ -106,7 +111,8 @@ def read_run(path: Path) -> BagRun:
                 events += of_health(since(message.received_ns), value)
     for _, act in sorted(heard, key=lambda one: one[0]):
         act()
-    events += [e for m in bag.messages({LOG}) for e in _of_log(since(m.received_ns), m.data)]
+    for message in bag.messages({LOG}):
+        events += _of_log(since(message.received_ns), message.data, reader.namespace)
     log = EventLog()
     for event in sorted(events, key=lambda event: event.time):
         log.add(event)
@@ -126,12 +132,13 @@ def read_run(path: Path) -> BagRun:
 
 
 class _Reader:
-    """Finds topics of the table in a bag, whatever namespace they are in."""
+    """Finds the topics of one graph in a bag, whatever namespace they are in."""
 
     def __init__(self, bag: Bag) -> None:
         self._bag = bag
         names = {name for name in bag.topics if name.rpartition('/')[2] == 'segment'}
         self._prefix = min(names, default='/segment')[: -len('segment')]
+        self.namespace = self._prefix.rstrip('/') or ROOT
         moved = {self._full('segment'), self._full('executed')}
         stamps = [message.received_ns for message in bag.messages(moved)]
         self.span = (min(stamps, default=0), max(stamps, default=0))
@@ -160,10 +167,12 @@ def _configuration(bag: Bag) -> Configuration:
     )  # fmt: skip
 
 
-def _of_log(time: float, data: bytes) -> Iterator[Event]:
-    """Yield a line of the log that warns."""
+def _of_log(time: float, data: bytes, namespace: str) -> Iterator[Event]:
+    """Yield a line of the log that warns, if it is of a node in a namespace."""
     line = deserialize_message(data, Log)
-    if line.level >= WARNING:
+    # A logger is named after its node, with dots instead of slashes.
+    inside = line.name.rpartition('.')[0] == namespace.strip('/').replace('/', '.')
+    if line.level >= WARNING and inside:
         grave = Grave.ERROR if line.level > WARNING else Grave.WARN
         yield Event(time, f'{line.name} (log)', grave, line.msg, said_again=True)
 
