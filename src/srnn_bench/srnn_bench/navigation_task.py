@@ -3,7 +3,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,13 +66,6 @@ class Attempt:
 
     seconds: Sequence[float]
     path: NDArray[np.float64]
-
-
-class Navigator(Protocol):
-    """Whatever can go a leg."""
-
-    def run(self, leg: int, seed: int) -> Attempt:
-        """Plan, and follow perfectly what was planned, with the random numbers of a seed."""
 
 
 NO_PATH = np.zeros((0, 2))

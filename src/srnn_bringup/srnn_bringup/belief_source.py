@@ -100,6 +100,8 @@ def read(source: str) -> tuple[Belief, Version]:
 
     """
     path, number = _split(source)
+    if not path.exists():
+        raise ChoiceError(f'{path}: there is no such bag or weight file')
     belief = _of_bag(path) if path.is_dir() or path.suffix == '.mcap' else _of_file(path)
     return belief, belief.version(number)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
-from lwr_description import ArmDescription, find_model
+from lwr_description import ArmDescription, MissingModelError, find_model
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_access import Key, key_file
 from srnn_bringup.choices import (
@@ -104,7 +104,10 @@ class Configuration(Parameters):
             raise self.refuse(
                 'arm.mount.description', model, f"the LWR 4+, unchanged: arm '{FRI}' is no other"
             )
-        find_model(model)
+        try:
+            find_model(model)
+        except MissingModelError as error:
+            raise MissingModelError(f'mount.description.{error}') from None
 
     @property
     def tracker(self) -> TrackerParameters:

@@ -57,7 +57,7 @@ def find_arm(choice: str, directory: Path) -> Path:
         ChoiceError: there is no such description; the message lists the names.
 
     """
-    return _find('description', choice, directory / 'arms', arm_names(directory))
+    return _find('arm description', choice, directory / 'arms', arm_names(directory))
 
 
 def find_scene(choice: str, directory: Path) -> Path:
@@ -88,5 +88,5 @@ def _find(kind: str, choice: str, directory: Path, names: list[str]) -> Path:
         return path.resolve()
     hint = did_you_mean(choice, names)
     raise ChoiceError(
-        f"no {kind} '{choice}'{hint}; valid: the path of a {kind} file, or {', '.join(names)}"
+        f"no {kind} '{choice}'{hint}; valid: the path of a file, or {', '.join(names)}"
     )

@@ -19,7 +19,7 @@ from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import ChoiceError, Interrupted
 from srnn_bringup.exit_codes import DONE, FAILED, by_signal
 from srnn_bringup.graph import describe, write_parameters
-from srnn_bringup.options import add_network, add_seed
+from srnn_bringup.options import add_network, add_seed, new_file
 from srnn_bringup.speech import progress, write_document
 from srnn_bringup.speech_options import add_json
 from srnn_config import UnknownKeyError, to_mapping
@@ -161,7 +161,8 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
         help='the same with another parameter of the model, for example learning.replays=40',
     )
     parser.add_argument(
-        '--save-weights', type=Path, metavar='FILE', help='weights that would have been learned'
+        '--save-weights', type=new_file, metavar='FILE',
+        help='weights that would have been learned',
     )
     parser.add_argument(
         '--scene', metavar='SCENE',
@@ -190,6 +191,8 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
+    if options.topic and not options.publish:
+        raise ChoiceError(f'--topic {options.topic[0]} has no effect without --publish')
     changes = dict(options.set)
     _check_names(changes)
     if options.publish:

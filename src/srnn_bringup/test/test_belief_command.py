@@ -108,7 +108,7 @@ def test_versions_are_compared_and_drawn(bag, tmp_path, capsys):
         ('list {bag}@x', 'behind @ must be the number of a version'),
         ('revert {bag} w.npz', 'name the update to undo as BAG@N'),
         ('show {bag} p.txt', '.png, .pdf, .svg'),
-        ('list nowhere.npz', 'No such file'),
+        ('list nowhere.npz', 'there is no such bag or weight file'),
         ('mege a b c', "'list', 'show', 'diff', 'revert', 'merge'"),
     ],
 )

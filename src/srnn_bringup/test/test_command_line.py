@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+import numpy as np
 import pytest
 
 from srnn_access import key_file
@@ -79,6 +80,11 @@ from srnn_bringup.report import Outputs
         ('experiment table1 --ot=d', "unknown argument '--ot=d' (did you mean '--out'?)"),
         ('belief diff run --pictur a.png', "unknown argument '--pictur' (did you mean"),
         ('doctor --json /nowhere/a.json', "no directory '/nowhere'"),
+        ('up --arm-description ur5', "no arm description 'ur5' (did you mean 'ur5e'?)"),
+        ('replay run --topic segment', '--topic segment has no effect without --publish'),
+        ('replay run --save-weights a.npz', '--save-weights needs --signal or --set'),
+        ('replay run --signal global --save-weights /nowhere/a.npz', "no directory '/nowhere'"),
+        ('belief list /nowhere@3', '/nowhere: there is no such bag or weight file'),
     ],
 )
 def test_mistakes_get_one_line_that_helps_and_exit_code_2(line, words, capsys, monkeypatch):
@@ -104,6 +110,9 @@ def test_weights_that_are_none_are_refused(tmp_path, capsys):
     path.write_text('no archive')
     assert cli.main(['demo', '--weights', str(path)]) == 2
     assert 'is no weight file' in capsys.readouterr().err
+    np.savez(path, updates=np.zeros(3))
+    assert cli.main(['demo', '--weights', str(path)]) == 2
+    assert 'is no weight file: version: is missing' in capsys.readouterr().err
 
 
 def test_scene_files_with_mistakes_are_refused(tmp_path, capsys):

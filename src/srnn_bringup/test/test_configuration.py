@@ -82,7 +82,7 @@ def test_impossible_choices_are_refused_by_name(choices, error, words):
         ('arms/lwr4p.yaml', lambda d: d['mount'].update(tool_mass='heavy'),
          ParameterError, "tool_mass = 'heavy': must be a number"),
         ('arms/lwr4p.yaml', lambda d: d['mount']['description'].update(model='no_arms:a.xml'),
-         MissingModelError, "no Python package 'no_arms'"),
+         MissingModelError, "mount.description.model = 'no_arms:a.xml': there is no Python "),
         ('arms/lwr4p.yaml', lambda d: d['arm']['impedance'].update(stiffness=[2000.0] * 6),
          ParameterError, 'must be 7 values, one for each joint'),
         ('tracking.yaml', lambda d: d['tracking']['gate'].update(speed_limit=0.05),

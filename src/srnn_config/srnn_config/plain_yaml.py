@@ -21,7 +21,9 @@ class _PlainLoader(yaml.SafeLoader):  # type: ignore[misc]  # yaml is not typed
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         if self.check_event(yaml.AliasEvent):
-            raise yaml.YAMLError(f'an alias{self.peek_event().start_mark}: write the value out')
+            raise yaml.MarkedYAMLError(
+                problem='an alias: write the value out', problem_mark=self.peek_event().start_mark
+            )
         self._depth += 1
         if self._depth > MAX_DEPTH:
             raise yaml.YAMLError(f'nested deeper than {MAX_DEPTH} levels')
@@ -53,7 +55,15 @@ def parse(text: str, where: str) -> Any:
         return loader.get_single_data()
     # An impossible date or number in it is a ValueError.
     except (yaml.YAMLError, ValueError) as error:
-        raise ConfigFileError(f'{where}: not valid YAML: {error}') from error
+        raise ConfigFileError(f'{where}: not valid YAML: {_words(error)}') from error
     finally:
         if loader is not None:
             loader.dispose()
+
+
+def _words(error: Exception) -> str:
+    """Return in one line what is wrong, and where."""
+    mark = getattr(error, 'problem_mark', None)
+    if mark is None:
+        return ' '.join(str(error).split())
+    return f'line {mark.line + 1}, column {mark.column + 1}: {getattr(error, "problem", error)}'

@@ -128,7 +128,7 @@ def test_a_yaml_mapping_is_read(tmp_path):
 @pytest.mark.parametrize(
     ('content', 'complaint'),
     [
-        (b'name: [', 'not valid YAML'),
+        (b'name: [', 'not valid YAML: line 1, column 8: '),
         (b'- a\n- b\n', 'must hold a mapping'),
         (b'', 'must hold a mapping'),
         (b'name: \xff\xfe', 'cannot be read'),

@@ -21,7 +21,7 @@ LAUGHS = 'a: &a [x, x]\n' + ''.join(
     ('text', 'complaint'),
     [
         (LAUGHS, 'an alias'),
-        ('a: &a {b: *a}', 'an alias'),
+        ('a: &a {b: *a}', 'line 1, column 11: an alias'),
         ('a: ' + '[' * (MAX_DEPTH + 1), f'deeper than {MAX_DEPTH}'),
         ('[' * 900_000, f'deeper than {MAX_DEPTH}'),
         ('a: ' + '9' * (MAX_SCALAR + 1), f'at most {MAX_SCALAR}'),

@@ -40,6 +40,12 @@ WARNING = 30
 """Severity from which on a line of the log is an event."""
 
 TRUTH = 'contact_truth'
+HEALTH = '/diagnostics'
+EVENTFUL: Mapping[str, Callable[[float, Any], Iterator[Event]]] = {
+    'segment_result': of_result,
+    HEALTH: of_health,
+}
+"""By topic, what events follow from the time and the content of a message."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,14 +88,7 @@ def read_run(path: Path) -> BagRun:
     configuration = _configuration(bag)
     recorder = start_recording(configuration)
     reader = _Reader(bag)
-    began_ns, ended_ns = reader.span
-
-    def since(ns: int) -> float:
-        return 1e-9 * (ns - began_ns)
-
-    def own_health(msg: Any) -> Mapping[str, Health]:
-        return in_namespace(diagnostics.from_msg(msg), reader.namespace)
-
+    since = reader.since
     events: list[Event] = []
     heard: list[tuple[int, Callable[[], None]]] = []
     found: dict[str, list[tuple[Message, Any]]] = {}
@@ -100,15 +99,13 @@ def read_run(path: Path) -> BagRun:
         ('dissonance', dissonance.from_msg, recorder.dissonance),
         ('weights', weights.from_msg, recorder.weights),
         (TRUTH, _force, recorder.force),
-        ('/diagnostics', own_health, recorder.health),
+        (HEALTH, reader.own_health, recorder.health),
     ):
         found[name] = reader.values(name, convert)
         for message, value in found[name]:
             heard.append((message.received_ns, lambda t=take, v=value: t(v)))  # type: ignore[misc]
-            if name == 'segment_result':
-                events += of_result(since(message.received_ns), value)
-            elif name == '/diagnostics':
-                events += of_health(since(message.received_ns), value)
+            if name in EVENTFUL:
+                events += EVENTFUL[name](since(message.received_ns), value)
     for _, act in sorted(heard, key=lambda one: one[0]):
         act()
     for message in bag.messages({LOG}):
@@ -127,7 +124,7 @@ def read_run(path: Path) -> BagRun:
         sent={v.stamp_ns: since(m.received_ns) for m, v in found['segment']},
         events=tuple(log.events),
         about=json.loads(bag.attachments[RUN]),
-        seconds=since(ended_ns),
+        seconds=since(reader.ended_ns),
     )
 
 
@@ -141,7 +138,14 @@ class _Reader:
         self.namespace = self._prefix.rstrip('/') or ROOT
         moved = {self._full('segment'), self._full('executed')}
         stamps = [message.received_ns for message in bag.messages(moved)]
-        self.span = (min(stamps, default=0), max(stamps, default=0))
+        self._began_ns, self.ended_ns = min(stamps, default=0), max(stamps, default=0)
+
+    def since(self, ns: int) -> float:
+        """Return the time since the first of its segments [s]."""
+        return 1e-9 * (ns - self._began_ns)
+
+    def own_health(self, msg: Any) -> Mapping[str, Health]:
+        return in_namespace(diagnostics.from_msg(msg), self.namespace)
 
     def values(self, name: str, convert: Callable[[Any], Any]) -> list[tuple[Message, Any]]:
         found = decode(name, self._bag.messages({self._full(name)}), convert)

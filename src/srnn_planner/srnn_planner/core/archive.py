@@ -86,6 +86,8 @@ class Archive:
     def _read(
         self, member: str, dtype: np.dtype[Any], wanted: tuple[int | None, ...]
     ) -> NDArray[Any]:
+        if member not in self._zip.namelist():
+            raise ValueError('is missing')
         with self._zip.open(member) as file:
             if np.lib.format.read_magic(file) != (1, 0):
                 raise ValueError('unknown version of the array format')
