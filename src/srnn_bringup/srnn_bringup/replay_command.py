@@ -2,151 +2,26 @@
 """`srnn replay`: what a recorded run has decided, decided again."""
 
 import argparse
-from collections.abc import Mapping, Sequence
-from contextlib import ExitStack
+from collections.abc import Mapping
 import math
 import os
 from pathlib import Path
-import sys
 import tempfile
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from srnn_bringup.arms import ARMS
 from srnn_bringup.choices import SIMULATED, Choices
 from srnn_bringup.config import load
-from srnn_bringup.console import Console
 from srnn_bringup.environment import check_environment
-from srnn_bringup.errors import ChoiceError, Interrupted
-from srnn_bringup.exit_codes import DONE, FAILED, by_signal
+from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph import describe, write_parameters
 from srnn_bringup.options import add_network, add_seed, new_file
-from srnn_bringup.speech import progress, write_document
 from srnn_bringup.speech_options import add_json
 from srnn_config import UnknownKeyError, to_mapping
-from srnn_node.signals import StopRequest
-from srnn_planner.core import belief, weights_file
 from srnn_planner.core.dissonance import SIGNALS
 from srnn_planner.core.parameters import ModelParameters
 
-if TYPE_CHECKING:
-    from tqdm import tqdm
-
-    from srnn_replay.counterfactual import Learnt
-
 RATES = (0.01, 1000.0)
-
-
-def run_replay(
-    bag: Path,
-    changes: Mapping[str, Any],
-    save: Path | None,
-    told: Mapping[str, bytes],
-    document: Path | None = None,
-) -> int:
-    """Replay a bag, or learn from it again with other parameters.
-
-    Args:
-        bag: what to replay.
-        changes: other parameters of the model, by dotted name; none to replay.
-        save: where to write the weights that other parameters would have led to.
-        told: what the bag does not say of how the graph was started, see `RunOrigin`.
-        document: where to write what was found; None for nowhere.
-
-    Returns:
-        Exit code: 0 if all decisions are identical, 1 if one differs.
-
-    Raises:
-        BagError: there is no such bag, or it is damaged.
-        ReplayError: they cannot be made again.
-
-    """
-    if changes:
-        return _learn(bag, changes, save, document)
-    return _check(bag, told, document)
-
-
-def _check(bag: Path, told: Mapping[str, bytes], document: Path | None) -> int:
-    from srnn_replay.replay import replay
-
-    with ExitStack() as stack:
-        bars: list[tqdm[Any]] = []
-
-        def watch(done: int, total: int) -> None:
-            if not bars:
-                bars.append(stack.enter_context(progress(total, 'replay', 'node')))
-            bars[0].update(done - bars[0].n)
-
-        found = replay(bag, told, watch)
-    for verdict in found.verdicts:
-        print(verdict.words())
-    if found.note:
-        print(f'{found.note}: the last bit of a number may come out otherwise here')
-    speed = found.run_s / max(found.seconds, 1e-9)
-    print(f'{found.run_s:.0f} s replayed in {found.seconds:.1f} s, {speed:.0f} times as fast')
-    if document is not None:
-        write_document(document, found.document())
-    return DONE if found.identical else FAILED
-
-
-def run_publish(bag: Path, topics: Sequence[str], rate: float) -> int:
-    """Put the messages of a bag back on the wire; return the exit code."""
-    from srnn_bringup.republish import LISTENERS_S, republisher
-    from srnn_bringup.session import session
-
-    console = Console(sys.stdout)
-
-    def guard() -> None:
-        if stop.name is not None:
-            raise Interrupted(stop.name)
-
-    with StopRequest() as stop, session('srnn_replay', guard) as (node, pump):
-        try:
-            publisher = republisher(node, bag, topics, rate)
-            if not pump.until(publisher.heard, LISTENERS_S if topics else 1.0):
-                console.note('not every topic has a listener')
-            with progress(publisher.count, 'replay', 'message') as bar:
-                seconds = publisher.run(pump, bar.update)
-        except Interrupted as wish:
-            return by_signal(str(wish))
-    console.note(f'published {publisher.published} messages in {seconds:.1f} s')
-    return DONE
-
-
-def _learn(
-    bag: Path, changes: Mapping[str, Any], save: Path | None, document: Path | None
-) -> int:
-    from srnn_replay.counterfactual import learn_again
-
-    with progress(2, 'learning again', 'time') as bar:
-        was = learn_again(bag, {})
-        bar.update()
-        would = learn_again(bag, changes)
-        bar.update()
-    print(f'as recorded: {_words(was)}')
-    told = ', '.join(f'{name} = {value}' for name, value in changes.items())
-    print(f'with {told}: {_words(would)}')
-    alike = None
-    same_size = was.before.prior.grid.count == would.before.prior.grid.count
-    if was.updates and would.updates and same_size:
-        alike = belief.correlation((was.before, was.after), (would.before, would.after))
-        print(f'the two changes of the weights correlate by {alike:.3f}')
-        alike = alike if math.isfinite(alike) else None
-    if save is not None:
-        weights_file.save(save, would.weights)
-        print(f'weights: {save}')
-    if document is not None:
-        found = {'recorded': was.document(), 'changes': dict(changes), 'would': would.document()}
-        write_document(document, {**found, 'correlation': alike})
-    return DONE
-
-
-def _words(learnt: 'Learnt') -> str:
-    numbers = ', '.join(map(str, learnt.updates))
-    after = f' (after segments {numbers})' if numbers else ''
-    return (
-        f'{len(learnt.updates)} updates from {learnt.segments} segments{after}, '
-        f'weights changed by up to {learnt.largest_change:.3f}'
-    )
 
 
 def add_replay(parser: argparse.ArgumentParser) -> None:
@@ -195,6 +70,8 @@ def _run(options: argparse.Namespace) -> int:
         raise ChoiceError(f'--topic {options.topic[0]} has no effect without --publish')
     changes = dict(options.set)
     _check_names(changes)
+    from srnn_bringup.replay import run_publish, run_replay
+
     if options.publish:
         check_environment(os.environ)
         return run_publish(options.bag, options.topic, options.rate)
