@@ -113,7 +113,7 @@ def test_two_arms_learn_each_its_own_obstacle(start, listener, tmp_path):
         assert graph.wait(STOP_S) == 0, graph.text
 
 
-def test_a_planner_goes_by_what_another_arm_has_learned(start, listener):
+def test_a_planner_goes_by_what_another_arm_has_learned(start, listener, tmp_path):
     node, pump = listener
     left, right, versions = Ear(node, 'left'), Ear(node, 'right'), {}
 
@@ -130,6 +130,7 @@ def test_a_planner_goes_by_what_another_arm_has_learned(start, listener):
     pupil = start(
         'up', '--namespace', 'right', '--scene', 'wall.yaml', '--seed', '3',
         '--only', 'sim_bridge,tracker,planner', '--remap', 'weights:=/left/weights',
+        '--record', 'pupil',
     )  # fmt: skip
     pupil.wait_for('up: ')
     assert pump.until(lambda: len(right.results) >= 3, START_S)
@@ -137,3 +138,10 @@ def test_a_planner_goes_by_what_another_arm_has_learned(start, listener):
     assert pump.until(
         lambda: versions['/right/planner'] == str(left.weights[-1].version), PATIENCE_S
     )
+    # What it went by is in its bag, and so its plans can be made again.
+    pupil.process.terminate()
+    assert pupil.wait(STOP_S) == 0, pupil.text
+    code, said = command('replay', str(tmp_path / 'pupil'))
+    assert code == 0, said
+    assert [line.partition(':')[0] for line in said.splitlines()[:2]] == ['tracker', 'planner']
+    assert said.count('identical') == 2

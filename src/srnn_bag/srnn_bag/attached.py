@@ -12,6 +12,9 @@ START_WEIGHTS = 'start_weights.npz'
 PARAMETERS = 'parameters/{}.yaml'
 """ROS parameter file of a node."""
 
+REMAPPED = 'remapped.json'
+"""Topics that were remapped: the full name that each would have had, and the one it has."""
+
 
 @dataclass(frozen=True)
 class Attachment:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The graph of `srnn up` for a machine with ROS 2: ros2 launch srnn_bringup srnn.launch.py."""
 
+from collections.abc import Sequence
 import os
 from pathlib import Path
 import sys
@@ -77,7 +78,9 @@ def launch_processes(context: LaunchContext) -> list[Action]:
         page = viewer.describe(told, options.view)
         file = write_parameters([page], directory)[page.name]
         processes.append(Node(name=page.name, **common(page, file, told, member=COMMAND)))
-    return processes if options.record is None else recorded(options.record, told, processes)
+    if options.record is None:
+        return processes
+    return recorded(options.record, told, remappings, processes)
 
 
 def common(
@@ -95,12 +98,20 @@ def common(
     }
 
 
-def recorded(bag: Path, told: Configuration, processes: list[Action]) -> list[Action]:
+def recorded(
+    bag: Path,
+    told: Configuration,
+    remappings: Sequence[tuple[str, str]],
+    processes: list[Action],
+) -> list[Action]:
     """Return a recorder that has the processes started as soon as it records."""
     rights = [] if told.keystore is None else ['--secure', str(told.keystore)]
+    rules = ','.join(f'{name}:={other}' for name, other in remappings)
+    names = ['--remap', rules] if rules else []
     command = [sys.executable, '-m', 'srnn_bringup.cli', 'record', str(bag)]
     recorder = ExecuteProcess(
-        cmd=[*command, '--namespace', told.namespace, *rights], name='record', output='screen'
+        cmd=[*command, '--namespace', told.namespace, *names, *rights], name='record',
+        output='screen',
     )
 
     def start(event: ProcessIO) -> list[Action] | None:

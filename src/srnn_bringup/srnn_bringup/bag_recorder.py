@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Records what the graph says, as it was on the wire."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+import json
 import operator
 from pathlib import Path
 import time
@@ -13,6 +14,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from srnn_bag import Attachment, BagWriter, Message
+from srnn_bag.attached import REMAPPED
 from srnn_bringup.sequence_gaps import SequenceGaps
 from srnn_msgs_py.qos import MOTION, Qos
 from srnn_msgs_py.topics import ARMS, TOPICS, Topic
@@ -62,6 +64,10 @@ class BagRecorder:
     def __post_init__(self) -> None:
         for row in RECORDED:
             self._listen(row)
+        remapped = self._remapped()
+        if remapped:
+            content = json.dumps(remapped, indent=1).encode()
+            self.attach([Attachment(REMAPPED, 'application/json', content)])
 
     def __enter__(self) -> Self:
         return self
@@ -110,6 +116,12 @@ class BagRecorder:
         self.writer.close()
         self.node.destroy_node()
 
+    def _remapped(self) -> dict[str, str]:
+        """Return by what name each topic that was remapped is known, by its full name before."""
+        full = self.node.resolve_topic_name
+        names = {full(row.name, only_expand=True): full(row.name) for row in RECORDED}
+        return {name: other for name, other in names.items() if name != other}
+
     def _listen(self, row: Topic) -> None:
         # Of what is sent hundreds of times a second its sender keeps one message: it could
         # hardly send another again, and to acknowledge each would cost both sides.
@@ -131,17 +143,26 @@ class BagRecorder:
             self.writer.flush()
 
 
-def record(node: Node, directory: Path) -> BagRecorder:
+def record(
+    node: Node, directory: Path, remappings: Sequence[tuple[str, str]] = ()
+) -> BagRecorder:
     """Begin to record beside a node of this process.
+
+    Args:
+        node: the recorder listens in its namespace.
+        directory: new directory to record to.
+        remappings: names of topics, and what the nodes of the graph use instead.
 
     Raises:
         BagExistsError: there is something in the place of the bag.
 
     """
     writer = BagWriter(directory)
+    rules = [word for name, other in remappings for word in ('-r', f'{name}:={other}')]
     # It offers no service, which it would need rights for of its own.
     listener = Node(
         NODE, context=node.context, namespace=node.get_namespace(), enable_rosout=False,
+        cli_args=['--ros-args', *rules],
         start_parameter_services=False,
         parameter_overrides=[Parameter('start_type_description_service', value=False)],
     )  # fmt: skip

@@ -166,7 +166,7 @@ class LiveGraph:
             session(COMMAND, self._guard, keystore, namespace)
         )
         if self._bag is not None:
-            recorder = record(self.node, self._bag)
+            recorder = record(self.node, self._bag, self._configuration.remappings)
             stack.callback(lambda: self._say(recorder.words()))
             stack.enter_context(recorder)
             recorder.attach(bag_attachments.of_run(self._configuration, self._files))

@@ -28,7 +28,11 @@ RECORDING = 'recording to'
 
 
 def run_record(
-    directory: Path, peers: Sequence[Peer], keystore: Path | None, namespace: str
+    directory: Path,
+    peers: Sequence[Peer],
+    keystore: Path | None,
+    namespace: str,
+    remappings: Sequence[tuple[str, str]],
 ) -> int:
     """Record a graph of this domain until the user stops it; return the exit code.
 
@@ -37,6 +41,7 @@ def run_record(
         peers: other hosts, where a part of the graph runs.
         keystore: keystore that protects the graph, None for none.
         namespace: absolute ROS namespace of the graph.
+        remappings: names of topics, and what the nodes of the graph use instead.
 
     """
     console = Console(sys.stdout)
@@ -50,7 +55,7 @@ def run_record(
         StopRequest() as stop,
         session(COMMAND, guard, keystore, namespace) as (node, pump),
     ):
-        with record(node, directory) as recorder:
+        with record(node, directory, remappings) as recorder:
             recorder.attach([bag_attachments.summary(joined=True)])
             console.note(f'{RECORDING} {directory}; Ctrl-C ends the recording')
             clients: dict[str, ParameterClient] = {}

@@ -163,10 +163,12 @@ def test_all_processes_are_in_the_namespace_and_follow_what_stands_around(
 
 
 def test_nothing_is_started_before_it_can_be_recorded(launch_file, tmp_path):
-    context = Context(record=str(tmp_path / 'bag'), namespace='left')
+    around = {'ros_remaps': [('weights', '/others/weights')]}
+    context = Context(record=str(tmp_path / 'bag'), namespace='left', around=around)
     handler, recorder = launch_file['launch_processes'](context)
     command = recorder.named['cmd']
-    assert command[3:] == ['record', str(tmp_path / 'bag'), '--namespace', '/left']
+    rules = ['--remap', 'weights:=/others/weights']
+    assert command[3:] == ['record', str(tmp_path / 'bag'), '--namespace', '/left', *rules]
     (told,) = handler.positional
     assert told.named['target_action'] is recorder
     start = told.named['on_stdout']

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a bag tells of one graph, by topic, and the journals of its nodes."""
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 import itertools
+import json
 from typing import Any, Generic, TypeVar
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from rclpy.serialization import deserialize_message
 
 from srnn_bag import Bag, Message
+from srnn_bag.attached import REMAPPED
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import journal
@@ -66,16 +68,17 @@ class Recording:
 
         """
         self.node = node
-        self._prefix = prefix
-        names = {prefix + name for name in (*topics, f'{node}/journal')}
-        self._messages: dict[str, list[Message]] = {name: [] for name in names}
-        for message in bag.messages(names):
+        remapped = remapped_topics(bag)
+        full = {name: prefix + name for name in (*topics, f'{node}/journal')}
+        self._names = {name: remapped.get(own, own) for name, own in full.items()}
+        self._messages: dict[str, list[Message]] = {name: [] for name in self._names.values()}
+        for message in bag.messages(self._messages.keys()):
             self._messages[message.topic].append(message)
         self.sessions = _sessions(node, self.decoded(f'{node}/journal', journal.from_msg))
 
     def raw(self, name: str) -> list[Message]:
         """Return the messages of a topic, as they are in the bag."""
-        return self._messages[self._prefix + name]
+        return self._messages[self._names[name]]
 
     def message(self, name: str, message: Message) -> Any:
         """Return a message of a topic without the mark of its sender."""
@@ -123,11 +126,39 @@ def prefixes(bag: Bag) -> list[str]:
         NotReplayableError: the bag has no journals.
 
     """
-    ends = tuple(f'/{node}/journal' for node in DECIDING)
-    found = {name[: -len(end) + 1] for name in bag.topics for end in ends if name.endswith(end)}
+    return sorted({prefix for prefix, _ in journals(bag)})
+
+
+def journals(bag: Bag) -> list[tuple[str, str]]:
+    """Return the namespace, ending in a slash, and the name of every node with a journal in a bag.
+
+    Raises:
+        NotReplayableError: there is none.
+
+    """
+    ends = {f'/{node}/journal': node for node in DECIDING}
+    places = {
+        name: (name[: -len(end) + 1], node)
+        for name in bag.topics for end, node in ends.items() if name.endswith(end)
+    }  # fmt: skip
+    # A recorder listens to the topics of all nodes, whichever there are.
+    found = {message.topic for message in bag.messages(places.keys())}
     if not found:
         raise NotReplayableError(f'{bag.path}: has no journals of nodes to replay')
-    return sorted(found)
+    return sorted(places[name] for name in found)
+
+
+def remapped_topics(bag: Bag) -> Mapping[str, str]:
+    """Return the full names of topics in a bag by those that they would have, had nobody remapped.
+
+    Raises:
+        NotReplayableError: what is attached about it is damaged.
+
+    """
+    try:
+        return dict(json.loads(bag.attachments.get(REMAPPED, b'{}')))
+    except (TypeError, ValueError):
+        raise NotReplayableError(f'{bag.path}: {REMAPPED} in it is damaged') from None
 
 
 def of_session(messages: list[Message], session: Session) -> list[Message]:
@@ -142,7 +173,7 @@ def _sessions(node: str, parts: 'list[Decoded[Any]]') -> list[Session]:
     starts = sorted(by_session)
     ends = [*starts[1:], 2**63 - 1]
     sessions = []
-    for began, until in zip(starts, ends, strict=True):
+    for began, until in zip(starts, ends, strict=False):
         pieces = sorted(by_session[began], key=lambda part: part.index)
         expected = itertools.accumulate((len(p.rows) for p in pieces), initial=0)
         for piece, index in zip(pieces, expected, strict=False):

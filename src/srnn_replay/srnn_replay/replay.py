@@ -15,7 +15,7 @@ from srnn_replay import adapter_replay, planner_replay, tracker_replay
 from srnn_replay.adapter_replay import AdapterReplay
 from srnn_replay.origin import RunOrigin
 from srnn_replay.planner_replay import PlannerReplay
-from srnn_replay.recording import Recording, prefixes
+from srnn_replay.recording import Recording, journals
 from srnn_replay.tracker_replay import TrackerReplay
 from srnn_replay.verdict import Verdict
 
@@ -99,9 +99,8 @@ def replay(
     note = RunOrigin(bag).check_version()
     tasks = [
         (path, node, prefix, told or {})
-        for node in KINDS for prefix in prefixes(bag)
-        if f'{prefix}{node}/journal' in bag.topics
-    ]  # fmt: skip
+        for prefix, node in sorted(journals(bag), key=lambda one: [*KINDS].index(one[1]))
+    ]
     context = multiprocessing.get_context('fork')
     with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
         verdicts = []

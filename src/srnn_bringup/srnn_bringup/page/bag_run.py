@@ -32,7 +32,7 @@ from srnn_msgs_py.ros import (
 )
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_replay.origin import RunOrigin
-from srnn_replay.recording import decode
+from srnn_replay.recording import decode, remapped_topics
 from srnn_view.events import Event, EventLog, Grave, of_health, of_result
 
 LOG = '/rosout'
@@ -132,7 +132,7 @@ class _Reader:
     """Finds the topics of one graph in a bag, whatever namespace they are in."""
 
     def __init__(self, bag: Bag) -> None:
-        self._bag = bag
+        self._bag, self._remapped = bag, remapped_topics(bag)
         names = {name for name in bag.topics if name.rpartition('/')[2] == 'segment'}
         self._prefix = min(names, default='/segment')[: -len('segment')]
         self.namespace = self._prefix.rstrip('/') or ROOT
@@ -152,7 +152,8 @@ class _Reader:
         return [(one.message, one.value) for one in found]
 
     def _full(self, name: str) -> str:
-        return name if name.startswith('/') else f'{self._prefix}{name}'
+        own = name if name.startswith('/') else f'{self._prefix}{name}'
+        return self._remapped.get(own, own)
 
 
 def _configuration(bag: Bag) -> Configuration:
