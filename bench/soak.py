@@ -21,7 +21,7 @@ from soak_record import Heartbeat, JointRecord, growth_mb, resident_mb
 from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.observer import Observer
-from srnn_bringup.recorder import Recorder, start_recording
+from srnn_bringup.run_recorder import Recorder, start_recording
 from srnn_experiments.figures import run_figures
 from srnn_msgs_py.ros import diagnostics
 from srnn_msgs_py.ros.message_type import message_type

@@ -8,12 +8,12 @@ from functools import partial
 import pytest
 from watched_graph import over
 
-from srnn_bringup.access import COMMAND, access
 from srnn_bringup.arms import ARMS, MOCK
 from srnn_bringup.config import Choices, load
+from srnn_bringup.enclaves import COMMAND, access
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.observer import Observer
-from srnn_bringup.recorder import start_recording
+from srnn_bringup.run_recorder import start_recording
 from srnn_node.signals import StopRequest
 
 PATIENCE_S = 15.0

@@ -16,7 +16,7 @@ from srnn_access import Mark, key_file
 from srnn_access.mark import parse
 from srnn_bringup.live_graph import LiveGraph, command
 from srnn_bringup.observer import Observer
-from srnn_bringup.recorder import start_recording
+from srnn_bringup.run_recorder import start_recording
 from srnn_bringup.supervisor import Command
 from srnn_msgs_py.result import ResultCode
 from srnn_msgs_py.ros import commands, diagnostics, segment, weights

@@ -12,8 +12,8 @@ from srnn_bringup.errors import BringupError, Interrupted, NotReadyError
 from srnn_bringup.exit_codes import DONE, FAILED, by_signal
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.observer import Observer
-from srnn_bringup.recorder import Recorder, start_recording
-from srnn_bringup.report import Outputs, write_report
+from srnn_bringup.run_outputs import Outputs, write_report
+from srnn_bringup.run_recorder import Recorder, start_recording
 from srnn_bringup.trial import Run
 from srnn_bringup.viewer import viewing
 from srnn_node.signals import StopRequest

@@ -37,7 +37,7 @@ def add_demo(parser: argparse.ArgumentParser) -> None:
 def _run(options: argparse.Namespace) -> int:
     told = configuration(options)
     from srnn_bringup.demo import run_demo
-    from srnn_bringup.report import Outputs
+    from srnn_bringup.run_outputs import Outputs
 
     outputs = Outputs(options.picture, options.json, options.save_weights)
     return run_demo(told, options.segments, outputs, options.record, options.view)

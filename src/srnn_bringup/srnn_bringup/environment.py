@@ -4,8 +4,8 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from srnn_bringup.access import enclave
 from srnn_bringup.config_lookup import config_directory
+from srnn_bringup.enclaves import enclave
 from srnn_bringup.errors import ChoiceError
 
 DOMAIN_ID = 'ROS_DOMAIN_ID'

@@ -20,8 +20,8 @@ import re
 import shutil
 import tempfile
 
-from srnn_bringup.access import COMMAND, MEMBERS, access, enclave
 from srnn_bringup.certificates import found_authority, issue, sign, validity_from
+from srnn_bringup.enclaves import COMMAND, MEMBERS, access, enclave
 from srnn_bringup.errors import KeystoreError
 from srnn_bringup.permissions import governance_xml, permissions_xml
 

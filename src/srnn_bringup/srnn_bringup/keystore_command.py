@@ -32,7 +32,7 @@ def add_keystore_actions(table: 'argparse._SubParsersAction[Parser]') -> 'dict[s
 
 
 def _create(options: argparse.Namespace) -> int:
-    from srnn_bringup.access import MEMBERS, enclave
+    from srnn_bringup.enclaves import MEMBERS, enclave
     from srnn_bringup.keystore import create_keystore
 
     check_environment(os.environ)

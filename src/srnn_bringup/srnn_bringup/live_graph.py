@@ -14,9 +14,9 @@ from types import TracebackType
 from typing import Self
 
 from srnn_bringup import bag_attachments
-from srnn_bringup.access import COMMAND
 from srnn_bringup.bag_recorder import record
 from srnn_bringup.config import ROOT, Configuration
+from srnn_bringup.enclaves import COMMAND
 from srnn_bringup.environment import DOMAIN_ID, graph_environment, security_arguments
 from srnn_bringup.errors import (
     BringupError,
@@ -29,9 +29,9 @@ from srnn_bringup.graph import access, chosen, write_parameters
 from srnn_bringup.lifecycle_client import LifecycleClient
 from srnn_bringup.neighbours import neighbours
 from srnn_bringup.node_description import NodeDescription
+from srnn_bringup.paused_nodes import PausedNodes
 from srnn_bringup.restarts import Restarts
 from srnn_bringup.session import session
-from srnn_bringup.states import States
 from srnn_bringup.supervisor import Command, Death, Supervisor
 from srnn_node.signals import StopRequest
 
@@ -147,7 +147,7 @@ class LiveGraph:
 
         """
         description = self._descriptions[self.names.index(name)]
-        paused = name in self._states.paused
+        paused = name in self._pauses.paused
         self._supervisor.start(self._command(description, autostart=True, paused=paused))
 
     def _start(self, stack: ExitStack) -> None:
@@ -170,7 +170,7 @@ class LiveGraph:
             stack.callback(lambda: self._say(recorder.words()))
             stack.enter_context(recorder)
             recorder.attach(bag_attachments.of_run(self._configuration, self._files))
-        self._states = States(self.node, self.names)
+        self._pauses = PausedNodes(self.node, self.names)
         self._clients = [
             LifecycleClient(self.node, name, partial(self._last_error, name))
             for name in self.names
@@ -191,7 +191,7 @@ class LiveGraph:
             # Whatever goes wrong here, the process is stopped next.
             with suppress(BringupError):
                 alive = self._supervisor.alive(client.name)
-                if alive and client.name not in self._states.paused:
+                if alive and client.name not in self._pauses.paused:
                     client.change('deactivate', pump, DEACTIVATE_S)
         self._active.clear()
 
@@ -209,7 +209,7 @@ class LiveGraph:
         if self._restarts is None or len(self._active) < len(self.names):
             raise NodeDiedError(death.report())
         if death.code >= 0:
-            self._states.ended_itself(death.name)
+            self._pauses.ended_itself(death.name)
         if not self._restarts.waits(death.name):
             pause = self._restarts.died(death.name, time.monotonic())
             self._say(f'{death.report()}\nstarting {death.name} anew in {pause:g} s')

@@ -12,7 +12,7 @@ import numpy as np
 from rclpy.node import Node
 
 from srnn_access import Key
-from srnn_bringup.recorder import Recorder
+from srnn_bringup.run_recorder import Recorder
 from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health, in_namespace
 from srnn_msgs_py.ros import diagnostics, dissonance, executed, result, segment, weights, wrench

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import tempfile
 
-from srnn_bringup.access import COMMAND
+from srnn_bringup.enclaves import COMMAND
 from srnn_bringup.environment import domain_id, graph_environment
 from srnn_bringup.errors import ChoiceError, NotReadyError, SecurityError
 from srnn_bringup.keystore import SIGNED, check_keystore, create_keystore, enclave_folder

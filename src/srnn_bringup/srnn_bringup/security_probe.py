@@ -15,7 +15,7 @@ import rclpy
 from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 
-from srnn_bringup.access import COMMAND
+from srnn_bringup.enclaves import COMMAND
 from srnn_bringup.environment import security_arguments, security_variables
 
 

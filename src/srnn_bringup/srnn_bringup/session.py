@@ -12,8 +12,8 @@ from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
-from srnn_bringup.access import COMMAND
 from srnn_bringup.config import ROOT
+from srnn_bringup.enclaves import COMMAND
 from srnn_bringup.environment import graph_environment, security_arguments
 from srnn_bringup.errors import SecurityError
 from srnn_bringup.pump import Pump

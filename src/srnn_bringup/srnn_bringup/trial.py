@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from srnn_bringup.config import Configuration
-from srnn_bringup.recorder import Recorder
+from srnn_bringup.run_recorder import Recorder
 from srnn_experiments.document import experiment_document
 from srnn_experiments.figures import run_figures
 

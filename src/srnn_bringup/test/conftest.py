@@ -4,7 +4,7 @@
 import pytest
 
 from srnn_bringup.config import Choices, Configuration, load
-from srnn_bringup.recorder import Recorder, start_recording
+from srnn_bringup.run_recorder import Recorder, start_recording
 
 
 @pytest.fixture(scope='session')

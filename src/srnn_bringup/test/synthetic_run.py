@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from srnn_bringup.recorder import Recorder
+from srnn_bringup.run_recorder import Recorder
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.health import Health
 from srnn_msgs_py.result import ResultCode, SegmentResult

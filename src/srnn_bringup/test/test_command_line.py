@@ -5,7 +5,7 @@ import pytest
 from srnn_access import key_file
 from srnn_bringup import cli
 from srnn_bringup.graph import access
-from srnn_bringup.report import Outputs
+from srnn_bringup.run_outputs import Outputs
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from cryptography.hazmat.primitives.asymmetric import ec
 import pytest
 
 from srnn_bringup import cli, keystore
-from srnn_bringup.access import MEMBERS, enclave
+from srnn_bringup.enclaves import MEMBERS, enclave
 from srnn_bringup.errors import KeystoreError
 from srnn_bringup.keystore import FILES, check_keystore, create_keystore, enclave_folder
 

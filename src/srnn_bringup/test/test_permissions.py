@@ -4,8 +4,8 @@ from xml.etree import ElementTree
 
 import pytest
 
-from srnn_bringup.access import MEMBERS, access, enclave
 from srnn_bringup.certificates import validity_from
+from srnn_bringup.enclaves import MEMBERS, access, enclave
 from srnn_bringup.permissions import governance_xml, permissions_xml
 
 DOMAIN = 42

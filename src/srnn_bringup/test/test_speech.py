@@ -6,7 +6,7 @@ import json
 import pytest
 
 from srnn_bringup import cli
-from srnn_bringup.report import write_report
+from srnn_bringup.run_outputs import write_report
 from srnn_bringup.speech import STDOUT, progress, remark, speaking, write_document
 from srnn_bringup.trial import Run
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from synthetic_run import Player, planner_health
 
-from srnn_bringup.closing import closing_lines
-from srnn_bringup.recorder import Recorder
+from srnn_bringup.closing_lines import closing_lines
+from srnn_bringup.run_recorder import Recorder
 from srnn_bringup.trial import Run, document, figures
 from srnn_experiments.spread import mean_sd, spread
 

@@ -18,7 +18,7 @@ from srnn_bag.attached import RUN, SCENE
 from srnn_bringup.choices import ROOT, Choices
 from srnn_bringup.config import Configuration, load
 from srnn_bringup.config_files import NetworkFile
-from srnn_bringup.recorder import Recorder, start_recording
+from srnn_bringup.run_recorder import Recorder, start_recording
 from srnn_msgs_py.health import Health, in_namespace
 from srnn_msgs_py.ros import (
     diagnostics,

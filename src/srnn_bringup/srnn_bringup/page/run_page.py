@@ -9,14 +9,14 @@ import tempfile
 import numpy as np
 from numpy.typing import NDArray
 
-from srnn_bringup.closing import closing_lines
+from srnn_bringup.closing_lines import closing_lines
 from srnn_bringup.page import html
 from srnn_bringup.page.bag_run import BagRun
 from srnn_bringup.page.timeline import timeline
 from srnn_bringup.page.timings import PERCENTILES, spread, timings
 from srnn_bringup.plots.plane import draw_change
 from srnn_bringup.plots.style import figure_file
-from srnn_bringup.report import Outputs, write_report
+from srnn_bringup.run_outputs import Outputs, write_report
 from srnn_bringup.trial import Run, document
 from srnn_config.geometry import outline
 from srnn_msgs_py.weights import LearnedWeights

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 from lifecycle_msgs.msg import State, TransitionEvent
 import pytest
 
-from srnn_bringup.states import States
+from srnn_bringup.paused_nodes import PausedNodes
 
 CONFIGURED = (State.TRANSITION_STATE_CONFIGURING, State.PRIMARY_STATE_INACTIVE)
 ACTIVATED = (State.TRANSITION_STATE_ACTIVATING, State.PRIMARY_STATE_ACTIVE)
@@ -14,18 +14,18 @@ DEACTIVATED = (State.TRANSITION_STATE_DEACTIVATING, State.PRIMARY_STATE_INACTIVE
 
 
 def told():
-    """Return states, and what a planner tells of itself."""
+    """Return pauses, and what a planner tells of itself."""
     listeners = {}
     node = SimpleNamespace(
         create_subscription=lambda _, name, take, depth: listeners.setdefault(name, take)
     )
-    states = States(node, ['tracker', 'planner'])
+    pauses = PausedNodes(node, ['tracker', 'planner'])
 
     def planner(start, goal):
         event = TransitionEvent(start_state=State(id=start), goal_state=State(id=goal))
         listeners['planner/transition_event'](event)
 
-    return states, planner
+    return pauses, planner
 
 
 @pytest.mark.parametrize(
@@ -42,10 +42,10 @@ def told():
 def test_a_node_is_paused_from_deactivation_to_activation_even_if_it_dies_between(
     transitions, paused
 ):
-    states, planner = told()
+    pauses, planner = told()
     for transition in transitions:
         planner(*transition)
-    assert states.paused == ({'planner'} if paused else set())
+    assert pauses.paused == ({'planner'} if paused else set())
 
 
 @pytest.mark.parametrize(('later', 'paused'), [(0.5, set()), (60.0, {'planner'})])
@@ -54,9 +54,9 @@ def test_a_node_that_ends_itself_has_not_been_paused_but_one_that_was_stays_so(
 ):
     now = time.monotonic()
     monkeypatch.setattr(time, 'monotonic', lambda: now)
-    states, planner = told()
+    pauses, planner = told()
     for transition in (ACTIVATED, DEACTIVATING, DEACTIVATED):
         planner(*transition)
     monkeypatch.setattr(time, 'monotonic', lambda: now + later)
-    states.ended_itself('planner')
-    assert states.paused == paused
+    pauses.ended_itself('planner')
+    assert pauses.paused == paused

@@ -5,9 +5,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from srnn_bringup.closing import closing_lines
+from srnn_bringup.closing_lines import closing_lines
 from srnn_bringup.config import Configuration
-from srnn_bringup.recorder import Recorder
+from srnn_bringup.run_recorder import Recorder
 from srnn_bringup.speech import write_document
 from srnn_bringup.trial import Run, document
 from srnn_planner.core import weights_file

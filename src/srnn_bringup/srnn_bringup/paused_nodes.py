@@ -16,7 +16,7 @@ LAST_S = 2.0
 """A node that ends itself deactivates no longer than this before [s]."""
 
 
-class States:
+class PausedNodes:
     """Listens to the transitions of some nodes.
 
     Attributes:
