@@ -11,7 +11,8 @@ from threadpoolctl import threadpool_limits
 
 from srnn_config.scene import load_scene
 from srnn_experiments.agent import Brain
-from srnn_experiments.setting import WORLDS, Setting
+from srnn_experiments.choices import WORLDS
+from srnn_experiments.setting import Setting
 from srnn_experiments.trial import run_trial
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lwr_description import Mount
 from srnn_bench.errors import TaskError
 from srnn_bench.shortest_length import ShortestLength
 from srnn_config.scene import Obstacle, Scene
@@ -79,6 +78,8 @@ def navigation_task(scene: Scene) -> NavigationTask:
         TaskError: there is no way to a way point that is free of contact.
 
     """
+    from lwr_description import Mount
+
     obstacles = tuple(o for o in scene.obstacles if o.present(0))
     radius, reach = Mount().tool_radius, scene.task.reach_radius
     points = np.array(scene.waypoints)

@@ -2,11 +2,14 @@
 """Who runs the same network."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from srnn_bench.contender import Contender
-from srnn_bench.network_task import NetworkTask, standard_task
 from srnn_bench.peers import BRIAN2, NEST
 from srnn_planner.core.parameters import ModelParameters, PlanningParameters
+
+if TYPE_CHECKING:
+    from srnn_bench.network_task import NetworkTask
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,8 +28,10 @@ class NetworkSetting:
     seed: int
 
     @property
-    def task(self) -> NetworkTask:
+    def task(self) -> 'NetworkTask':
         """The network, with weights and context neurons."""
+        from srnn_bench.network_task import standard_task
+
         return standard_task(self.model, self.planning, self.seed)
 
 

@@ -2,10 +2,14 @@
 """The arms that the graph can move, and the nodes that stand for each of them."""
 
 import socket
+from typing import TYPE_CHECKING
 
-from srnn_bringup.config import FRI, SIMULATED, Configuration
+from srnn_bringup.choices import FRI, SIMULATED
 from srnn_bringup.node_description import NodeDescription
 from srnn_config import to_mapping
+
+if TYPE_CHECKING:
+    from srnn_bringup.config import Configuration
 
 MOCK = 'mock'
 
@@ -23,7 +27,7 @@ HOLDING = ('sim_bridge', 'mock_arm', 'fri_emulator')
 """Those that hold the pose of the arm while they are active, whether commands come or not."""
 
 
-def describe_arm(configuration: Configuration) -> tuple[NodeDescription, ...]:
+def describe_arm(configuration: 'Configuration') -> tuple[NodeDescription, ...]:
     """Return the nodes that stand for the arm, in the order in which they are brought up."""
     arm, scene = to_mapping(configuration.arm), str(configuration.scene_path)
     mount = arm['mount']
@@ -44,7 +48,7 @@ def describe_arm(configuration: Configuration) -> tuple[NodeDescription, ...]:
     return _describe_fri(configuration)
 
 
-def _describe_fri(configuration: Configuration) -> tuple[NodeDescription, ...]:
+def _describe_fri(configuration: 'Configuration') -> tuple[NodeDescription, ...]:
     arm, fri = to_mapping(configuration.arm), to_mapping(configuration.fri.fri)
     nodes: tuple[NodeDescription, ...] = ()
     if configuration.emulated:

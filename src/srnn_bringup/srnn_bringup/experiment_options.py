@@ -3,16 +3,10 @@
 
 import argparse
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
+from srnn_bringup.choices import ARM_DESCRIPTION, SEED_MAX, STANDARD_SCENE, Choices
 from srnn_bringup.command_line import Parser
-from srnn_bringup.config import (
-    ARM_DESCRIPTION,
-    SEED_MAX,
-    STANDARD_SCENE,
-    Choices,
-    Configuration,
-    load,
-)
 from srnn_bringup.config_lookup import config_directory, find_scene
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.options import (
@@ -27,15 +21,20 @@ from srnn_bringup.options import (
 )
 from srnn_bringup.sections import EXECUTION
 from srnn_bringup.speech_options import add_json
-from srnn_experiments.evaluation.trials import LONG
+from srnn_experiments.choices import AGENTS, WORLDS
 from srnn_experiments.random_scenes_report import HELD_OUT
-from srnn_experiments.setting import AGENTS, WORLDS
+
+if TYPE_CHECKING:
+    from srnn_bringup.config import Configuration
 
 PAPER = 'network_paper'
 SEGMENTS, TRIALS = 300, 10
 """Length and number of trials, as in the paper."""
 
 SCENES = 100
+
+LONG = 1000
+"""Segments of a trial with a constant rate, in which a model may collapse."""
 
 TARGET_SCENE = 'transfer'
 
@@ -163,8 +162,10 @@ def _add_out(parser: Parser) -> None:
     )
 
 
-def _configuration(options: argparse.Namespace) -> Configuration:
+def _configuration(options: argparse.Namespace) -> 'Configuration':
     """Return what trials are done with; random scenes take the place of the standard one."""
+    from srnn_bringup.config import load
+
     arm, world = options.arm_description, getattr(options, 'world', 'mujoco')
     if world == 'point' and arm != ARM_DESCRIPTION:
         raise ChoiceError(

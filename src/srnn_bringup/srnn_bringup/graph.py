@@ -3,16 +3,18 @@
 
 from collections.abc import Collection, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
 from srnn_bringup.arms import ARM_NODES, describe_arm
-from srnn_bringup.config import Configuration
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.node_description import NodeDescription
 from srnn_config import to_mapping
 from srnn_config.nearest import did_you_mean
+
+if TYPE_CHECKING:
+    from srnn_bringup.config import Configuration
 
 BRAIN = ('tracker', 'adapter', 'planner')
 """The nodes that are the same for every arm."""
@@ -28,7 +30,7 @@ LATCH = 'latch'
 
 
 def describe(
-    configuration: Configuration, directory: Path | None = None
+    configuration: 'Configuration', directory: Path | None = None
 ) -> tuple[NodeDescription, ...]:
     """Return the nodes in the order in which they are brought up.
 
@@ -70,7 +72,7 @@ def describe(
     )  # fmt: skip
 
 
-def access(configuration: Configuration) -> dict[str, str]:
+def access(configuration: 'Configuration') -> dict[str, str]:
     """Return the parameters by which every node knows whom to believe."""
     return {'key_file': _text(configuration.key_file)}
 
@@ -91,7 +93,7 @@ def part(text: str) -> tuple[str, ...]:
 
 
 def chosen(
-    configuration: Configuration, names: Collection[str], directory: Path | None = None
+    configuration: 'Configuration', names: Collection[str], directory: Path | None = None
 ) -> tuple[NodeDescription, ...]:
     """Return those nodes of the graph that were chosen, all if none was.
 

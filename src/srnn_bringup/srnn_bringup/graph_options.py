@@ -4,10 +4,10 @@
 import argparse
 from collections.abc import Mapping
 import os
+from typing import TYPE_CHECKING
 
 from srnn_bringup.arms import ARMS
 from srnn_bringup.choices import FRI, SIMULATED, Choices
-from srnn_bringup.config import Configuration, load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.key_command import add_key
 from srnn_bringup.options import (
@@ -24,6 +24,9 @@ from srnn_bringup.options import (
     new_bag,
     new_file,
 )
+
+if TYPE_CHECKING:
+    from srnn_bringup.config import Configuration
 
 
 def add_graph(parser: argparse.ArgumentParser, arms: Mapping[str, str]) -> None:
@@ -63,7 +66,7 @@ def add_up_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def configuration(options: argparse.Namespace) -> Configuration:
+def configuration(options: argparse.Namespace) -> 'Configuration':
     """Return what the nodes are told, complete and checked.
 
     Raises:
@@ -71,6 +74,8 @@ def configuration(options: argparse.Namespace) -> Configuration:
 
     """
     check_environment(os.environ)
+    from srnn_bringup.config import load
+
     told = load(
         Choices(
             arm=options.arm,

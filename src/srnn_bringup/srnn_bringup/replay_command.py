@@ -11,7 +11,6 @@ from typing import Any
 
 from srnn_bringup.arms import ARMS
 from srnn_bringup.choices import SIMULATED, Choices
-from srnn_bringup.config import load
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph import describe, write_parameters
@@ -110,6 +109,7 @@ def _parameters(tree: Mapping[str, Any], prefix: str) -> list[str]:
 def _told(options: argparse.Namespace) -> dict[str, bytes]:
     """Return the files that a bag of such a graph would have attached."""
     from srnn_bringup.bag_attachments import of_run
+    from srnn_bringup.config import load
 
     configuration = load(
         Choices(

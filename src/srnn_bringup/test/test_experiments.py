@@ -166,7 +166,10 @@ def test_every_experiment_moves_the_arm_that_is_asked_for(tmp_path, monkeypatch)
     ('line', 'words'),
     [
         ('experiment run --network nett', "no network 'nett'"),
-        ('experiment run --arm-description ur5', "no description 'ur5' (did you mean 'ur5e'?)"),
+        (
+            'experiment run --arm-description ur5',
+            "no arm description 'ur5' (did you mean 'ur5e'?)",
+        ),
         (
             'experiment run --arm-description ur5e --world point',
             "arm-description 'ur5e' has no effect in world 'point'",

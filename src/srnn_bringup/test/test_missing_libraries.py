@@ -7,15 +7,16 @@ import sys
 
 import pytest
 
-MISSING = ('numba', 'mujoco', 'rclpy', 'numpy', 'yaml', 'mcap', 'matplotlib', 'cryptography')
+HEAVY = ('numba', 'mujoco', 'rclpy')
+"""What takes long to import; a command line is read without it."""
+
+MISSING = (*HEAVY, 'numpy', 'yaml', 'mcap', 'matplotlib', 'cryptography')
 WAIT_S = 120.0
 
 
-@pytest.fixture(scope='module')
-def srnn(tmp_path_factory):
-    """Return how to run the command where none of the libraries can be imported."""
-    stand_ins = tmp_path_factory.mktemp('missing')
-    for name in MISSING:
+def without(names, stand_ins):
+    """Return how to run the command where none of these libraries can be imported."""
+    for name in names:
         (stand_ins / f'{name}.py').write_text(f'raise ImportError("no {name} here")\n')
     path = os.pathsep.join(filter(None, [str(stand_ins), os.environ.get('PYTHONPATH')]))
 
@@ -26,6 +27,11 @@ def srnn(tmp_path_factory):
         )  # fmt: skip
 
     return run
+
+
+@pytest.fixture(scope='module')
+def srnn(tmp_path_factory):
+    return without(MISSING, tmp_path_factory.mktemp('missing'))
 
 
 def test_the_doctor_says_what_is_missing_and_what_to_do(srnn):
@@ -54,3 +60,10 @@ def test_every_other_command_names_what_is_missing_and_the_doctor(words, srnn):
     assert done.stderr.startswith('srnn: no ')
     assert done.stderr.endswith(' here; `srnn doctor` says what is missing\n')
     assert done.stderr.count('\n') == 1
+
+
+@pytest.mark.parametrize('words', [['completion', 'bash'], ['experiment', 'run', '--help']])
+def test_a_command_line_is_read_without_what_takes_long_to_import(words, tmp_path):
+    done = without(HEAVY, tmp_path)(*words)
+    assert (done.returncode, done.stderr) == (0, '')
+    assert '--arm-description' in done.stdout

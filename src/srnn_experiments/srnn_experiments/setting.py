@@ -14,10 +14,6 @@ from srnn_config.scene import Scene
 from srnn_experiments.agent import Brain
 from srnn_msgs_py.weights import LearnedWeights
 
-WORLDS = ('mujoco', 'point')
-AGENTS = ('network', 'oracle', 'grid')
-"""Who plans: the network; the network told of every obstacle; A* that marks contacts."""
-
 
 @dataclass(frozen=True, eq=False)
 class Setting:
@@ -27,8 +23,8 @@ class Setting:
         scene: task and obstacles.
         brain: network, learning and planning.
         segments: length of a trial.
-        world: one of `WORLDS`.
-        agent: one of `AGENTS`.
+        world: one of `choices.WORLDS`.
+        agent: one of `choices.AGENTS`.
         mount: where the arm stands and what it holds.
         arm: the simulated arm; of no meaning to a point.
         tracking: the tracker.

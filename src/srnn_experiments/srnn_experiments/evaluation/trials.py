@@ -14,9 +14,6 @@ RATES = (0.001, 0.01, 0.1)
 TRIGGERED, UNTRIGGERED = 'constant', 'untriggered'
 """Constant rates where the global signal triggers, and everywhere."""
 
-LONG = 1000
-"""Segments of a trial with a constant rate, in which a model may collapse."""
-
 Trial = Mapping[str, Any]
 
 
