@@ -8,3 +8,7 @@ class NodeError(RuntimeError):
 
 class SchedulingError(NodeError, ValueError):
     """A real-time priority that no scheduler knows."""
+
+
+class NotNowError(RuntimeError):
+    """What was asked for is not possible now; the text says why in one line."""

@@ -7,18 +7,10 @@ import traceback
 from typing import Any, ClassVar, TypeVar
 
 from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.impl.implementation_singleton import rclpy_implementation
-from rclpy.lifecycle import (
-    LifecycleNode,
-    LifecyclePublisher,
-    LifecycleState,
-    TransitionCallbackReturn,
-)
+from rclpy.lifecycle import LifecyclePublisher, LifecycleState, TransitionCallbackReturn
 from rclpy.subscription import Subscription
 
-from srnn_access import Refusal
 from srnn_config import Parameters
-from srnn_msgs_py.errors import MessageError
 from srnn_msgs_py.health import Health
 from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import journal
@@ -29,9 +21,12 @@ from srnn_node import garbage
 from srnn_node.access import Access, declare_key_file
 from srnn_node.diagnostics import HealthReporter
 from srnn_node.entities import EntityLedger
+from srnn_node.hooks import Hooks
 from srnn_node.journal import JournalWriter
 from srnn_node.parameters import NoParameters, declare_parameters
 from srnn_node.realtime import prefer_thread
+from srnn_node.reception import Reception
+from srnn_node.surviving import SurvivingNode
 from srnn_node.unheard import Unheard
 
 SUCCESS = TransitionCallbackReturn.SUCCESS
@@ -47,7 +42,7 @@ STARTING = {
 V = TypeVar('V')
 
 
-class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
+class WorkspaceNode(Hooks, SurvivingNode):
     """A node of the workspace: override the hooks, raise to refuse a transition.
 
     Unconfigured and inactive nodes publish nothing but their health. Whatever a
@@ -85,31 +80,6 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         self._unheard = Unheard(self)
         self._ledger = EntityLedger(self)
 
-    # What a node overrides.
-
-    def configure(self, parameters: Any) -> None:
-        """Create topics and services, load and compile; nothing may move."""
-
-    def activate(self) -> None:
-        """Start working; publishers are open."""
-
-    def deactivate(self) -> None:
-        """Come to rest before returning; publishers are still open."""
-
-    def cleanup(self) -> None:
-        """Free what `configure` made, except for topics, services and timers."""
-
-    def seconds_to_tick(self) -> float | None:
-        """Return the time to the next tick [s], or None; asked only while active."""
-        return None
-
-    def on_tick(self) -> None:
-        """Do what is due; called only while active. Must not log."""
-
-    def health(self) -> Health:
-        """Return severity, one line and counters for /diagnostics."""
-        return Health()
-
     # What a node uses.
 
     def advertise(self, name: str) -> LifecyclePublisher:
@@ -136,24 +106,11 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
 
         """
         row = topic(name)
-        inlet = self._access.inlet(row)
-
-        def receive(msg: Any) -> None:
-            take: Callable[[V], None] | None = callback
-            refusal = inlet.judge(msg, time.monotonic(), time.time_ns())
-            if refusal is not None:
-                take = not_in_charge if refusal is Refusal.NOT_OWNER else None
-            if take is None:
-                return
-            try:
-                value = convert(msg)
-            except MessageError:
-                self.refused_messages += 1
-                return
-            take(value)
-
+        reception = Reception(
+            self._access.inlet(row), convert, callback, not_in_charge, self._not_converted
+        )
         subscription = self.create_subscription(
-            message_type(row.type_name), row.name, receive, profile(row.qos)
+            message_type(row.type_name), row.name, reception.receive, profile(row.qos)
         )
         self._unheard.expect(row, subscription)
         return subscription
@@ -171,11 +128,6 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
     def report_health(self) -> None:
         """Publish the health now, besides once a second."""
         self._reporter.report()
-
-    @property
-    def state(self) -> str:
-        """Label of the state: unconfigured, inactive, active or finalized."""
-        return str(self._state_machine.current_state[1])
 
     @property
     def active(self) -> bool:
@@ -243,6 +195,9 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         self._access = Access.configured(self)
         self.configure(parameters)
 
+    def _not_converted(self) -> None:
+        self.refused_messages += 1
+
     def _destroy_configured(self) -> None:
         self._unheard.forget()
         self._ledger.destroy_later_ones()
@@ -267,14 +222,3 @@ class WorkspaceNode(LifecycleNode):  # type: ignore[misc]  # rclpy is not typed
         }
         told = self._access.extend(Health(health.level, health.message, values))
         return Health(told.level, told.message or self.state, told.values)
-
-    def _LifecycleNodeMixin__on_change_state(self, request: Any, response: Any) -> Any:  # noqa: N802
-        # rclpy lets the error of an impossible transition out of the executor, where it
-        # ends the node: any client could stop the arm that way.
-        try:
-            return super()._LifecycleNodeMixin__on_change_state(request, response)
-        except rclpy_implementation.RCLError:
-            asked = request.transition.label or request.transition.id
-            self.get_logger().warning(f'transition {asked!r} is impossible while {self.state}')
-            response.success = False
-            return response
