@@ -57,7 +57,7 @@ class BreakingBridge(BridgeNode):
         self._heard = 0
 
     def on_tick(self) -> None:
-        self._heard += self._measured.get_subscription_count() > 0
+        self._heard += self._report.measured.get_subscription_count() > 0
         if self._heard == SOUND_CYCLES:
             POISONS[sys.argv[1]](self._arm, SOUND_CYCLES % 7)
         super().on_tick()

@@ -14,6 +14,7 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
+from lwr_fri_driver.core.phase import ENGAGED
 from lwr_fri_driver.core.reports import (
     MAX_SIZE,
     Sample,
@@ -130,6 +131,20 @@ class LoopClient:
     def wait(self, seconds: float) -> None:
         """Return when a report waits, at the latest after `seconds` [s]."""
         select.select([self._socket], [], [], max(seconds, 0.0))
+
+    def leave(self, patience: float) -> None:
+        """Ask for the end of command mode, and wait for it at most `patience` [s].
+
+        Raises:
+            LoopError: the process has ended, or sleeps.
+
+        """
+        self.wish(Wish.STOP)
+        until = time.monotonic() + patience
+        self.take()
+        while self.status.phase in ENGAGED and time.monotonic() < until:
+            self.wait(until - time.monotonic())
+            self.take()
 
     def close(self) -> None:
         """Let go: the process brings the arm to rest, leaves command mode and ends."""

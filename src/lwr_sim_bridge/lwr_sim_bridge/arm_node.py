@@ -14,9 +14,8 @@ from lwr_sim_bridge.errors import SimulationError
 from lwr_sim_bridge.simulated_arm import TICK
 from srnn_msgs_py.health import Health, HealthLevel
 from srnn_msgs_py.joints import JointSample
-from srnn_msgs_py.ros import commands, joints, wrench
-from srnn_msgs_py.segment import FRAME
-from srnn_msgs_py.wrench import Wrench
+from srnn_msgs_py.ros import commands
+from srnn_node.arm_report import ArmReport
 from srnn_node.errors import NodeError
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.rate import RateKeeper
@@ -26,9 +25,6 @@ TICKS_PER_CYCLE = 4
 
 CATCH_UP = 5
 """Cycles that are made up for after a delay; longer gaps slow the arm's time down."""
-
-CYCLES_PER_WRENCH = 5
-"""The wrench goes out at 50 Hz."""
 
 
 class Arm(Protocol):
@@ -56,14 +52,11 @@ class ArmNode(WorkspaceNode):
     def begin(self, arm: Arm, mount: Mount) -> None:
         """Connect the topics of an arm that stands where it begins."""
         self._arm = arm
-        self._kinematics = Kinematics(mount)
-        self._cycles = 0
-        self._measured = self.advertise('joint_states')
-        self._external = self.advertise('external_torque/joint_states')
-        self._wrench = self.advertise('wrench')
+        kinematics = Kinematics(mount)
+        self._report = ArmReport(self, kinematics.joints, kinematics.tip_force)
         self.listen(
             'forward_position_controller/commands',
-            lambda msg: commands.from_msg(msg, len(self._kinematics.joints)), self._on_command,
+            lambda msg: commands.from_msg(msg, len(kinematics.joints)), self._on_command,
         )
 
     def activate(self) -> None:
@@ -89,8 +82,9 @@ class ArmNode(WorkspaceNode):
         except SimulationError as error:
             # It ends the node in one line: nobody needs to know how it got here.
             raise NodeError(str(error)) from error
-        self._cycles += 1
-        self._report()
+        now = self.get_clock().now().nanoseconds
+        if self._report.publish(self._arm.sample(now)):
+            self.report_truth(now)
 
     def health(self) -> Health:
         """Report timing and refused commands."""
@@ -116,18 +110,6 @@ class ArmNode(WorkspaceNode):
         if skipped:
             return Health(HealthLevel.WARN, f'cycles given up: {skipped}', values)
         return Health(HealthLevel.OK, '', values)
-
-    def _report(self) -> None:
-        now = self.get_clock().now().nanoseconds
-        sample = self._arm.sample(now)
-        measured, external = joints.to_msgs(sample, self._kinematics.joints)
-        # The tracker acts on the joint state, so the torque that belongs to it goes first.
-        self._external.publish(external)
-        self._measured.publish(measured)
-        if self._cycles % CYCLES_PER_WRENCH == 0:
-            force = self._kinematics.tip_force(sample.position, sample.external_torque)
-            self._wrench.publish(wrench.to_msg(Wrench(now, FRAME, force, np.zeros(3))))
-            self.report_truth(now)
 
     def report_truth(self, stamp_ns: int) -> None:
         """Publish what only the one who computes the arm can know, at 50 Hz."""

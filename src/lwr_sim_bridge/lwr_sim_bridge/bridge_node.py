@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from std_srvs.srv import Trigger
 
 from lwr_description import Mount
 from lwr_sim_bridge.arm_node import ArmNode
@@ -15,6 +14,8 @@ from lwr_sim_bridge.ros.scene_topics import SceneTopics
 from lwr_sim_bridge.simulated_arm import SimulatedArm
 from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
+from srnn_node import trigger
+from srnn_node.errors import NotNowError
 from srnn_node.run import run
 
 PRIORITY = 50
@@ -50,7 +51,7 @@ class BridgeNode(ArmNode):
         self._settings = parameters
         self.begin(self._build(), parameters.mount)
         self._topics = SceneTopics(self, len(self._scene.obstacles), lambda: self._arm)
-        self.create_service(Trigger, '~/reset', self._on_reset)
+        trigger.offer(self, 'reset', self._reset, SimulationError)
 
     def _build(self) -> SimulatedArm:
         return SimulatedArm(
@@ -62,18 +63,12 @@ class BridgeNode(ArmNode):
         """Report contact forces, for scoring only."""
         self._topics.report(stamp_ns)
 
-    def _on_reset(self, _: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
+    def _reset(self) -> str:
         if self.active:
-            response.success = False
-            response.message = 'the arm would jump: deactivate the sim bridge first'
-            return response
-        try:
-            self._arm = self._build()
-            self._topics.segments = 0
-            response.success, response.message = True, 'back at the start of the scene'
-        except SimulationError as error:
-            response.success, response.message = False, str(error)
-        return response
+            raise NotNowError('the arm would jump: deactivate the sim bridge first')
+        self._arm = self._build()
+        self._topics.segments = 0
+        return 'back at the start of the scene'
 
 
 def main(args: Sequence[str] | None = None) -> int:

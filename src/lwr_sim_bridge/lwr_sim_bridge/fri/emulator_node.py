@@ -2,32 +2,27 @@
 """The FRI emulator: the controller of an LWR 4+ on UDP, the MuJoCo arm behind it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 import time
 
 import numpy as np
-from std_srvs.srv import Trigger
 
-from lwr_description import Mount
 from lwr_sim_bridge.errors import SimulationError
-from lwr_sim_bridge.fri.controller import COMMAND, FriController
-from lwr_sim_bridge.fri.krl_program import SCHEMES, KrlProgram
-from lwr_sim_bridge.fri.parameters import ControllerParameters
+from lwr_sim_bridge.fri.controller import FriController
+from lwr_sim_bridge.fri.emulator_health import emulator_health
+from lwr_sim_bridge.fri.emulator_parameters import EmulatorParameters
+from lwr_sim_bridge.fri.krl_program import KrlProgram
 from lwr_sim_bridge.fri.udp_link import UdpLink
-from lwr_sim_bridge.parameters import ArmParameters
 from lwr_sim_bridge.ros.scene_topics import SceneTopics
 from lwr_sim_bridge.simulated_arm import TICK, SimulatedArm
-from srnn_config import Parameters, parameter
 from srnn_config.scene import load_scene
-from srnn_msgs_py.health import Health, HealthLevel
+from srnn_msgs_py.health import Health
+from srnn_node import trigger
 from srnn_node.errors import NodeError
 from srnn_node.lifecycle import WorkspaceNode
 from srnn_node.run import run
 
 PRIORITY = 70
 """SCHED_FIFO priority to ask for: a real controller waits for nobody on this machine."""
-
-QUALITIES = ('UNACCEPTABLE', 'BAD', 'OK', 'PERFECT')
 
 WORK = 0.2
 """Share of a cycle in which the packet must go out; a later one moves all that follow.
@@ -38,25 +33,6 @@ leave its peer no time for an answer.
 
 TRUTH_S = 0.02
 """The true contact force goes out this often [s]."""
-
-
-@dataclass(frozen=True)
-class EmulatorParameters(Parameters):
-    """Parameters of the FRI emulator node."""
-
-    scene: str = parameter(doc='Scene file with obstacles, sensor noise and start.')
-    seed: int = parameter(0, minimum=0, doc='Seed of the sensor noise and of the link faults.')
-    cycle: int = parameter(
-        5, unit='ms', minimum=1, maximum=100, doc='Time between two packets, argument of friOpen.'
-    )
-    handshake: str = parameter(
-        'ros_control', choices=tuple(SCHEMES), doc='Which KRL program runs.'
-    )
-    driver: str = parameter('127.0.0.1', doc='Address of the driver.')
-    port: int = parameter(49938, minimum=1, maximum=65535, doc='UDP port of the driver.')
-    mount: Mount = field(default_factory=Mount)
-    arm: ArmParameters = field(default_factory=ArmParameters)
-    controller: ControllerParameters = field(default_factory=ControllerParameters)
 
 
 class EmulatorNode(WorkspaceNode):
@@ -89,7 +65,7 @@ class EmulatorNode(WorkspaceNode):
         self._cycles = 0
         self._state = self._controller.state
         self._topics = SceneTopics(self, len(scene.obstacles), lambda: self._arm)
-        self.create_service(Trigger, '~/acknowledge', self._on_acknowledge)
+        trigger.offer(self, 'acknowledge', self._acknowledge)
 
     def activate(self) -> None:
         """Let time run from now on."""
@@ -141,31 +117,12 @@ class EmulatorNode(WorkspaceNode):
         """Report the state of the controller, and what it thinks of the link."""
         if not self.active:
             return Health()
-        controller, statistics = self._controller, self._controller.statistics
-        commanding = controller.state == COMMAND
-        values = {
-            'state': 'COMMAND' if commanding else 'MONITOR',
-            'quality': QUALITIES[controller.quality],
-            'cycles': self._cycles,
-            'overruns': self._overruns,
-            'answer_rate': statistics.answer_rate,
-            'latency_ms': 1e3 * statistics.latency,
-            'misses': statistics.misses,
-            'late': controller.late,
-            'rejected': controller.rejected,
-        }
-        if controller.message:
-            return Health(HealthLevel.ERROR, controller.message, values)
-        words = 'command mode' if commanding else 'monitor mode'
-        return Health(HealthLevel.OK, words, values)
+        return emulator_health(self._controller, self._cycles, self._overruns)
 
-    def _on_acknowledge(
-        self, _: Trigger.Request, response: Trigger.Response
-    ) -> Trigger.Response:
-        response.success = True
-        response.message = f'acknowledged: {self._controller.message or "no message"}'
+    def _acknowledge(self) -> str:
+        message = self._controller.message or 'no message'
         self._controller.acknowledge()
-        return response
+        return f'acknowledged: {message}'
 
 
 def main(args: Sequence[str] | None = None) -> int:
