@@ -11,7 +11,7 @@ import pytest
 from std_srvs.srv import Trigger
 from watched_graph import Watched, free_scene
 
-from lwr_tracking.tracker_node import NOT_IN_CHARGE
+from lwr_tracking.core.refusal import NOT_IN_CHARGE
 from srnn_access import Mark, key_file
 from srnn_access.mark import parse
 from srnn_bringup.live_graph import LiveGraph, command

@@ -26,6 +26,7 @@ from srnn_bag.attached import PARAMETERS
 from srnn_bringup import cli
 from srnn_bringup.environment import graph_environment
 from srnn_bringup.session import session
+from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.journal import Deed, number
 from srnn_msgs_py.result import ResultCode
 from srnn_msgs_py.ros import result, weights
@@ -125,6 +126,10 @@ class RecordedClock:
         return SimpleNamespace(now=lambda: instant)
 
 
+def stamp_of(sample: JointSample | None) -> int | None:
+    return None if sample is None else sample.stamp_ns
+
+
 @pytest.fixture
 def tracker(
     bag, tmp_path, monkeypatch
@@ -176,10 +181,10 @@ def test_a_tracker_that_is_fed_from_the_bag_gives_the_recorded_results(bag, trac
         if deed == Deed.MEASURED:
             clock.now = number(bits)
             out[names[2]].publish(by_stamp[names[2]][first + second])
-            external = node._external
-            until(lambda external=external: node._external is not external)
+            external = node._pairing.external
+            until(lambda external=external: node._pairing.external is not external)
             out[names[1]].publish(by_stamp[names[1]][first])
-            until(lambda first=first: node._sample is not None and node._sample.stamp_ns == first)
+            until(lambda first=first: stamp_of(node._watch.sample) == first)
         elif deed == Deed.OFFERED:
             clock.stamp_ns, clock.age = first, number(bits)
             offers = offered(node)
@@ -194,7 +199,7 @@ def test_a_tracker_that_is_fed_from_the_bag_gives_the_recorded_results(bag, trac
 
 
 def offered(node: TrackerNode) -> int:
-    counters = node._tracker.counters
+    counters = node._session.tracker.counters
     return counters.accepted + sum(counters.refused.values())
 
 

@@ -19,6 +19,7 @@ from std_srvs.srv import Trigger
 
 from lwr_description import Mount
 from lwr_tracking import tracker_node
+from lwr_tracking.core import silence_watch
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.tracker_node import TrackerNode
 from srnn_msgs_py.health import HealthLevel
@@ -63,7 +64,7 @@ def tracker() -> Iterator[TrackerNode]:
 
 def test_joint_states_of_before_the_activation_are_not_missed_after_it(tracker, monkeypatch):
     """However long the activation takes, and whatever was heard before it."""
-    monkeypatch.setattr(tracker_node, 'SILENCE', 0.0)
+    monkeypatch.setattr(silence_watch, 'SILENCE', 0.0)
     for _ in range(2):
         tracker._on_sample(at_rest())
         time.sleep(0.01)
@@ -78,7 +79,7 @@ def test_without_joint_states_the_arm_is_stopped(tracker):
     assert tracker.trigger_activate() == SUCCESS
     tracker._on_sample(at_rest())
     tracker.on_tick()
-    assert tracker._tracker.conditions == Condition.SILENT
+    assert tracker._session.tracker.conditions == Condition.SILENT
     assert tracker.health().message == 'no joint states'
 
 
@@ -91,11 +92,11 @@ def test_a_joint_state_after_a_long_silence_stops_the_arm_before_it_is_answered(
     monkeypatch.setattr(tracker_node, 'time', clock)
     assert tracker.trigger_activate() == SUCCESS
     sent = []
-    monkeypatch.setattr(tracker._commands, 'publish', sent.append)
+    monkeypatch.setattr(tracker._topics.commands, 'publish', sent.append)
     tracker._on_sample(at_rest())
     clock.sleep(silence)
     tracker._on_sample(replace(at_rest(), stamp_ns=1 + round(1e9 * silence)))
-    assert (Condition.SILENT in tracker._tracker.conditions) == stopped
+    assert (Condition.SILENT in tracker._session.tracker.conditions) == stopped
     assert len(sent) == (1 if stopped else 2)
 
 
@@ -105,22 +106,23 @@ def test_deactivation_in_mid_motion_is_a_rest_on_the_path_and_no_fault(tracker, 
     assert tracker.trigger_activate() == SUCCESS
     sample = at_rest()
     tracker._on_sample(sample)
-    start = tuple(tracker._tracker.tip[:2])
-    assert tracker._tracker.offer(line(start, (0.2, 0.0), 0.2), 0.0) is None
+    start = tuple(tracker._session.tracker.tip[:2])
+    assert tracker._session.tracker.offer(line(start, (0.2, 0.0), 0.2), 0.0) is None
     for _ in range(200):
         clock.sleep(0.004)
-        sample = replace(sample, stamp_ns=sample.stamp_ns + 4_000_000, position=tracker._sent[0])
+        sample = tracker._session.assumed(sample, sample.stamp_ns + 4_000_000)
         tracker._on_sample(sample)
-    assert np.linalg.norm(tracker._tracker.reference.velocity) > 0.15
+    assert np.linalg.norm(tracker._session.tracker.reference.velocity) > 0.15
     assert tracker.trigger_deactivate() == SUCCESS
-    assert tracker._tracker.reference.at_rest
-    assert tracker._tracker.reference.running is not None
-    assert not tracker._tracker.latched
+    assert tracker._session.tracker.reference.at_rest
+    assert tracker._session.tracker.reference.running is not None
+    assert not tracker._session.tracker.latched
     assert not tracker.health().message
 
 
-def told(node, service):
-    return node._service(service)(Trigger.Request(), Trigger.Response())
+def told(node, name):
+    (service,) = (s for s in node.services if s.service_name == f'/tracker/{name}')
+    return service.callback(Trigger.Request(), Trigger.Response())
 
 
 def test_a_stop_outlives_deactivation_and_process(tmp_path):
@@ -130,23 +132,23 @@ def test_a_stop_outlives_deactivation_and_process(tmp_path):
         first.trigger_configure()
         first.trigger_activate()
         first._on_sample(at_rest())
-        assert told(first, first._stop).success
+        assert told(first, 'stop').success
         first.trigger_deactivate()
         first.trigger_activate()
         first._on_sample(at_rest())
-        assert first._tracker.conditions == Condition.STOPPED
+        assert first._session.tracker.conditions == Condition.STOPPED
         # Not shut down: killed.
         second = TrackerNode()
         second.trigger_configure()
         assert second.health().level is HealthLevel.ERROR
         second.trigger_activate()
         second._on_sample(at_rest())
-        assert second._tracker.conditions == Condition.STOPPED
-        assert told(second, second._reset).success
+        assert second._session.tracker.conditions == Condition.STOPPED
+        assert told(second, 'reset').success
         third = TrackerNode()
         third.trigger_configure()
         third.trigger_activate()
-        assert not third._tracker.latched
+        assert not third._session.tracker.latched
         for node in (first, second, third):
             node.destroy_node()
     finally:
@@ -154,15 +156,15 @@ def test_a_stop_outlives_deactivation_and_process(tmp_path):
 
 
 def test_stop_works_while_the_tracker_is_inactive(tracker):
-    assert not told(tracker, tracker._reset).success
-    stopped = told(tracker, tracker._stop)
+    assert not told(tracker, 'reset').success
+    stopped = told(tracker, 'stop')
     assert stopped.success
     assert stopped.message == 'frozen until reset, once it is active'
     assert tracker.trigger_activate() == SUCCESS
     tracker._on_sample(at_rest())
-    assert tracker._tracker.conditions == Condition.STOPPED
-    assert told(tracker, tracker._reset).success
-    assert not tracker._tracker.latched
+    assert tracker._session.tracker.conditions == Condition.STOPPED
+    assert told(tracker, 'reset').success
+    assert not tracker._session.tracker.latched
 
 
 def test_nothing_is_compiled_once_the_tracker_is_configured(tmp_path):
@@ -193,7 +195,7 @@ def test_after_a_silence_nothing_is_commanded_until_reset_and_then_the_arm_as_it
     """It may be another arm that reports again: a new simulation starts somewhere else."""
     told = []
     assert tracker.trigger_activate() == SUCCESS
-    monkeypatch.setattr(tracker, '_commands', SimpleNamespace(publish=told.append))
+    monkeypatch.setattr(tracker._topics, 'commands', SimpleNamespace(publish=told.append))
     tracker._on_sample(at_rest())
     assert len(told) == 1
     for _ in range(2):
@@ -201,20 +203,20 @@ def test_after_a_silence_nothing_is_commanded_until_reset_and_then_the_arm_as_it
     elsewhere = replace(at_rest(), stamp_ns=2, position=np.array(Mount().home) + 0.1)
     tracker._on_sample(elsewhere)
     assert len(told) == 1
-    assert tracker._tracker.counters.faults == 2
-    tracker._pause()
+    assert tracker._session.tracker.counters.faults == 2
+    tracker._session.pause()
     tracker._reset()
     for _ in range(2):
         tracker._on_sample(elsewhere)
     np.testing.assert_allclose(told[1].data, elsewhere.position)
     np.testing.assert_allclose(told[2].data, elsewhere.position, atol=1e-3)
-    assert tracker._tracker.conditions == Condition.PAUSED
-    assert tracker._tracker.counters.faults == 2
+    assert tracker._session.tracker.conditions == Condition.PAUSED
+    assert tracker._session.tracker.counters.faults == 2
 
 
 def test_a_reset_without_need_changes_nothing(tracker):
     assert tracker.trigger_activate() == SUCCESS
     tracker._on_sample(at_rest())
-    core = tracker._tracker
+    core = tracker._session.tracker
     tracker._reset()
-    assert tracker._tracker is core
+    assert tracker._session.tracker is core

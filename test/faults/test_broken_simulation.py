@@ -109,9 +109,9 @@ def test_the_bridge_ends_in_one_line_and_the_tracker_stops(ledger, tracker, brid
         how = list(POISONS)[generator('process', repeat).integers(len(POISONS))]
         with ledger.injection(24, 'physics of the bridge process goes wrong'):
             process = bridge(how)
-            tracker.until(lambda: tracker.node._tracker.latched)
+            tracker.until(lambda: tracker.node._session.tracker.latched)
             # The last measurement was that of a sound arm.
-            assert tracker.node._tracker.conditions == Condition.SILENT
+            assert tracker.node._session.tracker.conditions == Condition.SILENT
             assert process.wait(PATIENCE_S) == 1
             said = process.stderr.read()
             assert re.search(r'^BreakingBridge: simulated arm at \d+\.\d+ s: ', said, re.M), said

@@ -96,7 +96,7 @@ def test_of_two_planners_and_two_trackers_the_first_keeps_the_arm(world, ledger)
             assert world.snapshot() == before
             # The motion goes on to its end, where it was meant to go.
             world.run(300)
-            assert world.tracker._tracker.reference.at_rest
+            assert world.tracker._session.tracker.reference.at_rest
             miss = world.bridge._arm.tip_truth[:2] - END
             entry.deviation_mm = 1e3 * float(np.linalg.norm(miss))
             assert entry.deviation_mm < 1.0

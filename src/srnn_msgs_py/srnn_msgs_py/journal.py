@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 from enum import IntEnum
 import struct
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,6 +70,26 @@ class Deed(IntEnum):
     """Gone on from weights of elsewhere, as version `first`."""
     REVERT = 25
     """Gone back to the weights that learning began from."""
+
+
+class Note(Protocol):
+    """Takes in a deed and what `Deed` says of its numbers."""
+
+    def __call__(
+        self,
+        deed: Deed,
+        first: int = 0,
+        second: int = 0,
+        time_s: float = 0.0,
+        until_s: float = 0.0,
+    ) -> None:
+        """Note it."""
+
+
+def unnoted(
+    deed: Deed, first: int = 0, second: int = 0, time_s: float = 0.0, until_s: float = 0.0
+) -> None:
+    """Keep no journal."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The decisions of the tracker made again: each command, each path, each result."""
 
-from collections import deque
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lwr_description import Kinematics
 from lwr_tracking.core.failsafe import Condition
-from lwr_tracking.core.refusal import Refusal
-from lwr_tracking.core.tracker import Tracker
-from lwr_tracking.tracker_node import MAX_LAG, NOT_IN_CHARGE
+from lwr_tracking.core.refusal import NOT_IN_CHARGE, Refusal
+from lwr_tracking.core.tracking_session import TrackingSession
+from lwr_tracking.joint_pairing import MAX_LAG
 from srnn_bag import Message
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.journal import Deed, number
@@ -37,18 +34,14 @@ class TrackerReplay:
     def __init__(self, recording: Recording, origin: RunOrigin) -> None:
         """Read the inputs."""
         told = origin.tracker()
-        self._settings = told.tracking
         self._kinematics = Kinematics(told.mount)
         self._recording = recording
         self._reader = JointStateBytes(self._kinematics.joints)
         self._measured = {stamp_ns(m.data): m for m in recording.raw(MEASURED)}
         self._external = {stamp_ns(m.data): m for m in recording.raw(EXTERNAL)}
         self._segments = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
-        self._tracker = Tracker(self._settings, self._kinematics)
+        self._tracking = TrackingSession(told.tracking, self._kinematics)
         self._sample: JointSample | None = None
-        self._sent: deque[NDArray[np.float64]] = deque(
-            maxlen=max(1, round(self._settings.law.lead / self._settings.period))
-        )
 
     def run(self) -> Verdict:
         """Make all decisions again, until one differs."""
@@ -89,38 +82,34 @@ class TrackerReplay:
                 return self._tick(number(time))
             case Deed.ASSUMED:
                 assert self._sample is not None
-                self._sample = replace(self._sample, stamp_ns=first, position=self._sent[0])
+                self._sample = self._tracking.assumed(self._sample, first)
                 return self._tick(number(time))
             case Deed.OFFERED:
-                refused = self._tracker.offer(self._segments[first], number(time))
+                refused = self._tracking.offer(self._segments[first], number(time))
                 return (
                     refused is None
                     or refused.reason == Refusal.DUPLICATE
                     or self._results.compare(result.from_msg(result.to_msg(refused)))
                 )
             case Deed.ACTIVATED:
-                self._tracker = Tracker(self._settings, self._kinematics)
-                self._tracker.restore(Condition(first))
+                self._tracking.begin(Condition(first))
             case Deed.SILENT:
-                self._tracker.silence()
+                self._tracking.silence()
             case Deed.STOP:
-                self._tracker.stop()
+                self._tracking.stop()
             case Deed.RESET:
-                self._tracker.reset()
+                self._tracking.reset()
             case Deed.PAUSE:
-                self._tracker.pause()
+                self._tracking.pause()
             case Deed.RESUME:
-                self._tracker.resume()
+                self._tracking.resume()
         return True
 
     def _tick(self, now: float) -> bool:
         assert self._sample is not None
-        tick = self._tracker.tick(now, self._sample)
-        # As the node: whoever reports again after a silence is told nothing yet.
-        if tick.command is not None and Condition.SILENT not in self._tracker.conditions:
-            self._sent.append(tick.command)
-            if not self._commands.compare(tick.command):
-                return False
+        tick = self._tracking.tick(now, self._sample)
+        if tick.command is not None and not self._commands.compare(tick.command):
+            return False
         for end in tick.finished:
             if end.path is not None:
                 path = executed.from_msg(executed.to_msg(end.path))

@@ -3,6 +3,9 @@
 
 from enum import StrEnum
 
+NOT_IN_CHARGE = 'another planner is in charge'
+"""Reason for a planner whose segments are not looked at while those of another are."""
+
 
 class Refusal(StrEnum):
     """The reasons that a REJECTED or STALE result can carry."""
