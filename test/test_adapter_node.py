@@ -136,7 +136,7 @@ def test_weights_that_were_left_are_kept_and_told_of(start, tmp_path):
     adapter = start()
     touch(adapter, 1)
     touch(adapter, 2)
-    dead = adapter._learner.synapses.learned
+    dead = adapter._session.learner.synapses.learned
     adapter._on_refused(WeightsRefusal(2, 1, 'no plan'))
     health = adapter.health()
     assert health.level is HealthLevel.WARN

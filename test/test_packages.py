@@ -15,6 +15,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 SRC = ROOT / 'src'
 MAX_LINES = 300
+MAX_NODE_LINES = 160
 
 # What a package may import of the workspace: whatever stands above it, except where noted.
 ORDER = (
@@ -199,6 +200,12 @@ def test_every_file_is_short_and_says_its_licence(file):
     lines = file.read_text().splitlines()
     assert lines[:1] == ['# SPDX-License-Identifier: Apache-2.0'] or not lines
     assert len(lines) <= MAX_LINES
+
+
+@pytest.mark.parametrize('file', sorted(SRC.rglob('*_node.py')), ids=lambda file: file.stem)
+def test_a_node_only_wires(file):
+    """It converts, calls the core and converts back; whatever else it does has its own file."""
+    assert len(file.read_text().splitlines()) <= MAX_NODE_LINES
 
 
 def test_no_two_tests_have_the_same_name():

@@ -54,7 +54,7 @@ def test_dead_weights_are_told_of_at_once_to_the_adapter_and_once_to_people(
 ):
     clock, told, logged = Clock(), [], []
     monkeypatch.setattr(planner_node, 'time', clock)
-    monkeypatch.setattr(planner._refused, 'publish', lambda msg: told.append(msg))
+    monkeypatch.setattr(planner._trouble.refused, 'publish', lambda msg: told.append(msg))
     logger = type('Logger', (), {'error': logged.append, 'warning': logged.append})
     monkeypatch.setattr(planner, 'get_logger', lambda: logger)
 

@@ -124,9 +124,10 @@ class World:
         for node in self.nodes.values():
             assert node.trigger_configure() == TransitionCallbackReturn.SUCCESS, node.failure
             assert node.trigger_activate() == TransitionCallbackReturn.SUCCESS, node.failure
-        ways = (self.bridge._measured, self.tracker._commands, *self.publishers.values())
+        report, topics = self.bridge._report, self.tracker._topics
+        ways = (report.measured, topics.commands, *self.publishers.values())
         self.until(lambda: all(way.get_subscription_count() > 1 for way in ways))
-        self.until(lambda: self.bridge._external.get_subscription_count() > 0)
+        self.until(lambda: report.external.get_subscription_count() > 0)
         self.settle()
 
     def end(self) -> None:
@@ -145,7 +146,8 @@ class World:
         for heard in self.recorded.values():
             heard.clear()
         self.run(40)
-        watch, counters = self.planner._watched.watch, self.tracker._tracker.counters
+        watch = self.planner._session.watched.watch
+        counters = self.tracker._session.tracker.counters
         version = watch.in_use.version
         self.invited.sends('weights', self.message('weights'))
         self.until(lambda: watch.in_use.version == version + 1)
@@ -153,7 +155,7 @@ class World:
         self.until(lambda: counters.accepted == 1)
         self.run(50)
         self.settle()
-        assert not self.tracker._tracker.reference.at_rest
+        assert not self.tracker._session.tracker.reference.at_rest
 
     def close(self) -> None:
         self.end()
@@ -172,12 +174,12 @@ class World:
     def run(self, cycles: int) -> None:
         """Let the arm live; the tracker answers every one of its measurements."""
         for _ in range(cycles):
-            cycle, before = self.bridge._rate.taken, self.tracker._ticks
+            cycle, before = self.bridge._rate.taken, self.tracker._topics.ticks
             self._clock.sleep(0.004)
             self.until(lambda cycle=cycle: self._lives_on(cycle))
             late = time.monotonic() + LOST_S
             self.until(
-                lambda before=before, late=late: self.tracker._ticks > before
+                lambda before=before, late=late: self.tracker._topics.ticks > before
                 or time.monotonic() > late
             )
 
@@ -199,14 +201,15 @@ class World:
 
     def snapshot(self) -> bytes:
         """Return what could have been moved, bit for bit."""
-        tracker, arm, planner = self.tracker._tracker, self.bridge._arm, self.planner
-        reference, sample = tracker.reference, self.tracker._sample
+        tracker, arm, planner = self.tracker._session.tracker, self.bridge._arm, self.planner
+        reference, sample = tracker.reference, self.tracker._watch.sample
         learned = planner._session.planner.synapses.learned
         numbers = [learned.synapses, learned.values, arm._gate.last, arm.data.qpos]
         if reference is not None:
             numbers += [reference.position, sample.position, sample.velocity]
         others = (
-            planner._watched.watch.in_use.version, asdict(tracker.counters), dict(arm.refused),
+            planner._session.watched.watch.in_use.version, asdict(tracker.counters),
+            dict(arm.refused),
             reference and (reference.running, reference.waiting), sample and sample.stamp_ns,
         )  # fmt: skip
         return b''.join([*(part.tobytes() for part in numbers), repr(others).encode()])
@@ -221,10 +224,10 @@ class World:
             planner = self.planner._session.planner
             halves = np.full((49, 49), 0.5, dtype=np.float32)
             learned = Synapses.of(planner.neurons.prior, halves).learned
-            version = self.planner._watched.watch.in_use.version + 1
+            version = self.planner._session.watched.watch.in_use.version + 1
             return weights.to_msg(WeightsUpdate(version, 1, learned))
         if name == 'joint_states':
-            sample = replace(self.tracker._sample, position=angles)
+            sample = replace(self.tracker._watch.sample, position=angles)
             return joints.to_msgs(sample, JOINT_NAMES)[0]
         return commands.to_msg(angles)
 

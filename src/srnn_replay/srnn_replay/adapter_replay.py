@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import dissonance, executed, refusal, segment, weights
-from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core.checkpoint import Checkpoint
 from srnn_planner.core.errors import PairingError
 from srnn_planner.core.learning_session import Learned, LearningSession
@@ -76,14 +75,13 @@ class AdapterReplay:
             case Deed.RESTORED:
                 self._restore(first)
             case Deed.ACTIVATED:
-                session.active = True
+                session.begin()
                 return self._share(0)
             case Deed.DEACTIVATED:
-                session.active = False
+                session.end()
             case Deed.REFUSED:
                 refused = self._refused[first, second]
-                left = model.leave(refused, NO_TIME)
-                if left is not None or model.catch_up(refused, NO_TIME):
+                if session.refused(refused, NO_TIME) is not None:
                     return self._keep_and_share(0)
             case Deed.LOAD:
                 model.load(self._versions[first], NO_TIME)
@@ -118,19 +116,10 @@ class AdapterReplay:
         return self._acknowledge(learned)
 
     def _acknowledge(self, learned: Learned) -> bool:
-        lesson = learned.lesson
         recorded = self._lessons.next
-        value = Dissonance(
-            segment_stamp_ns=learned.plan.stamp_ns,
-            signal=self._told.model.learning.signal,
-            updated=lesson.updated,
-            weights_version=self._session.model.weights.version,
-            peak=lesson.peak,
-            global_alpha=lesson.squared_distance.astype(np.float32),
-            neuron_peak=lesson.neuron_peak.astype(np.float32),
-            # How long it took then is no decision.
-            update_ms=recorded.update_ms if isinstance(recorded, Dissonance) else 0.0,
-        )
+        # How long it took then is no decision.
+        update_ms = recorded.update_ms if isinstance(recorded, Dissonance) else 0.0
+        value = self._session.acknowledgement(learned, update_ms)
         return self._lessons.compare(dissonance.from_msg(dissonance.to_msg(value)))
 
     def _keep_and_share(self, stamp_ns: int) -> bool:
@@ -138,7 +127,4 @@ class AdapterReplay:
         return self._share(stamp_ns)
 
     def _share(self, stamp_ns: int) -> bool:
-        session = self._session
-        learned = session.learner.synapses.learned
-        update = WeightsUpdate(session.model.weights.version, stamp_ns, learned)
-        return self._shared.compare(self._convert(weights.to_msg(update)))
+        return self._shared.compare(self._convert(weights.to_msg(self._session.shared(stamp_ns))))

@@ -81,7 +81,7 @@ def learn_again(path: Path, changes: Mapping[str, Any], prefix: str | None = Non
     model = changed(told.model, changes)
     recording = Recording(bag, NODE, TOPICS, prefix or _only(bag.path, prefixes(bag)))
     session = LearningSession(model, told.seed, origin.start_weights())
-    session.active = True
+    session.begin()
     before = session.learner.synapses
     updates, peaks, segments = [], [], 0
     for learned in _lessons(recording, session):

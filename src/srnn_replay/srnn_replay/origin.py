@@ -8,7 +8,7 @@ from pathlib import Path
 import tempfile
 from typing import Any, TypeVar
 
-from lwr_tracking.tracker_node import TrackerNodeParameters
+from lwr_tracking.node_parameters import TrackerNodeParameters
 from srnn_bag import Bag
 from srnn_bag.attached import PARAMETERS, RUN, SCENE, START_WEIGHTS
 from srnn_config import ConfigError, Parameters, build
@@ -17,8 +17,8 @@ from srnn_config.scene import build_scene
 from srnn_msgs_py.weights import WeightsUpdate
 from srnn_planner.core import weights_file
 from srnn_planner.core.planning_session import Origin
-from srnn_planner.nodes.adapter_node import AdapterParameters
-from srnn_planner.nodes.planner_node import PlannerParameters
+from srnn_planner.nodes.adapter_parameters import AdapterParameters
+from srnn_planner.nodes.planner_parameters import PlannerParameters
 from srnn_replay.code_version import code_version
 from srnn_replay.errors import NotReplayableError, OtherVersionError
 
