@@ -235,3 +235,5 @@ def test_the_same_experience_with_the_same_parameters_gives_the_same_weights(tmp
     quiet = learn_again(tmp_path / 'bag', {'learning.signal': 'none'})
     assert not quiet.updates
     assert quiet.largest_change == 0.0
+    with pytest.raises(NotReplayableError, match='network.dimensions: 3: .* has 2'):
+        learn_again(tmp_path / 'bag', {'network.dimensions': 3})

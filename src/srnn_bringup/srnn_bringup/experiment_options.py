@@ -5,10 +5,17 @@ import argparse
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from srnn_bringup.choices import ARM_DESCRIPTION, SEED_MAX, STANDARD_SCENE, Choices
+from srnn_bringup.choices import (
+    ARM_DESCRIPTION,
+    NETWORK,
+    SEED_MAX,
+    STANDARD_SCENE,
+    Choices,
+)
 from srnn_bringup.command_line import Parser
 from srnn_bringup.config_lookup import config_directory, find_scene
 from srnn_bringup.errors import ChoiceError
+from srnn_bringup.idle_options import refuse_idle
 from srnn_bringup.options import (
     add_arm_description,
     add_learning,
@@ -39,6 +46,11 @@ LONG = 1000
 TARGET_SCENE = 'transfer'
 
 SEGMENTS_MAX, TRIALS_MAX, WORKERS_MAX = 100_000, 100_000, 1024
+
+OF_NETWORK = {
+    'network': NETWORK, 'signal': None, 'alpha': None, 'weights': None, 'save_weights': None,
+}  # fmt: skip
+"""Options about a network, with their defaults."""
 
 Run = Callable[[argparse.Namespace], int]
 
@@ -188,6 +200,8 @@ def _configuration(options: argparse.Namespace) -> 'Configuration':
 def _run(options: argparse.Namespace) -> int:
     from srnn_bringup.experiment import Experiment, run_experiment
 
+    if options.agent == 'grid':
+        refuse_idle(options, OF_NETWORK, 'with --agent grid, which has no network')
     asked = Experiment(
         segments=options.segments, trials=options.trials, seed=options.seed,
         world=options.world, agent=options.agent, workers=options.workers,

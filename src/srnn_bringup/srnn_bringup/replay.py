@@ -46,7 +46,7 @@ def run_replay(
 
     """
     if changes:
-        return _learn(bag, changes, save, document)
+        return _learn(bag, changes, save, told, document)
     return _check(bag, told, document)
 
 
@@ -96,16 +96,20 @@ def _check(bag: Path, told: Mapping[str, bytes], document: Path | None) -> int:
 
 
 def _learn(
-    bag: Path, changes: Mapping[str, Any], save: Path | None, document: Path | None
+    bag: Path,
+    changes: Mapping[str, Any],
+    save: Path | None,
+    told: Mapping[str, bytes],
+    document: Path | None,
 ) -> int:
     with progress(2, 'learning again', 'time') as bar:
-        was = learn_again(bag, {})
+        was = learn_again(bag, {}, told)
         bar.update()
-        would = learn_again(bag, changes)
+        would = learn_again(bag, changes, told)
         bar.update()
     print(f'as recorded: {_words(was)}')
-    told = ', '.join(f'{name} = {value}' for name, value in changes.items())
-    print(f'with {told}: {_words(would)}')
+    other = ', '.join(f'{name} = {value}' for name, value in changes.items())
+    print(f'with {other}: {_words(would)}')
     alike = None
     same_size = was.before.prior.grid.count == would.before.prior.grid.count
     if was.updates and would.updates and same_size:

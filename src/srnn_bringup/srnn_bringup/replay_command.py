@@ -10,17 +10,24 @@ import tempfile
 from typing import Any
 
 from srnn_bringup.arms import ARMS
-from srnn_bringup.choices import SIMULATED, Choices
+from srnn_bringup.choices import NETWORK, SIMULATED, Choices
 from srnn_bringup.environment import check_environment
 from srnn_bringup.errors import ChoiceError
 from srnn_bringup.graph import describe, write_parameters
+from srnn_bringup.idle_options import refuse_idle
 from srnn_bringup.options import add_network, add_seed, new_file
 from srnn_bringup.speech_options import add_json
 from srnn_config import UnknownKeyError, to_mapping
 from srnn_planner.core.dissonance import SIGNALS
 from srnn_planner.core.parameters import ModelParameters
 
-RATES = (0.01, 1000.0)
+RATE, RATES = 1.0, (0.01, 1000.0)
+
+CHANGING: Mapping[str, Any] = {'signal': None, 'set': [], 'save_weights': None}
+"""Options that learn something else from a bag, with their defaults."""
+
+TELLING: Mapping[str, Any] = {'scene': None, 'network': NETWORK, 'seed': 0, 'arm': SIMULATED}
+"""Options that say what a bag does not, with their defaults."""
 
 
 def add_replay(parser: argparse.ArgumentParser) -> None:
@@ -57,7 +64,7 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
         help='with --publish: this topic only; repeatable (default: all)',
     )
     parser.add_argument(
-        '--rate', type=_rate, default=1.0, metavar='R',
+        '--rate', type=_rate, default=RATE, metavar='R',
         help='with --publish: so many times as fast as recorded (default: %(default)s)',
     )
     add_json(parser, 'what was found')
@@ -65,8 +72,12 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    if options.topic and not options.publish:
-        raise ChoiceError(f'--topic {options.topic[0]} has no effect without --publish')
+    if options.publish:
+        refuse_idle(options, {**CHANGING, **TELLING, 'json': None}, 'with --publish')
+    else:
+        refuse_idle(options, {'topic': [], 'rate': RATE}, 'without --publish')
+    if options.scene is None:
+        refuse_idle(options, TELLING, 'without --scene')
     changes = dict(options.set)
     _check_names(changes)
     from srnn_bringup.replay import run_publish, run_replay

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a report reads of a bag in which two graphs have spoken on the topics that all share."""
 
-
 import pytest
 from rcl_interfaces.msg import Log
 from rclpy.serialization import serialize_message
 import recorded_touch
 
 from srnn_bag import BagWriter
+from srnn_bag.attached import PARAMETERS
 from srnn_bringup import bag_attachments, cli
 from srnn_bringup.bag_recorder import LOG
 from srnn_bringup.config import Choices, load
@@ -25,10 +25,14 @@ def planner(number: int) -> Health:
     return Health(HealthLevel.WARN, f'worry {number}', {'planned': number})
 
 
-@pytest.fixture(params=['/', '/left'])
+@pytest.fixture(params=[('/', True), ('/left', True), ('/left', False)])
 def bag(request, tmp_path):
-    """Return a namespace, and the bag of the graph in it, beside which another one runs."""
-    own, other = request.param.rstrip('/'), '/right' if request.param == '/' else ''
+    """Return a namespace, and the bag of the graph in it, beside which another one runs.
+
+    The graph has an adapter, or goes by what another one learns.
+    """
+    namespace, learns = request.param
+    own, other = namespace.rstrip('/'), '/right' if namespace == '/' else ''
     at = recorded_touch.BEGIN
     with BagWriter(tmp_path / 'run') as writer:
 
@@ -47,8 +51,9 @@ def bag(request, tmp_path):
             put(LOG.name, LOG, Log(level=30, name=name, msg=f'warning {number}'))
         files = write_parameters(describe(CONFIGURATION), tmp_path)
         for file in bag_attachments.of_run(CONFIGURATION, files):
-            writer.attach(file.name, file.media_type, file.data, at)
-    return request.param, tmp_path / 'run'
+            if learns or file.name != PARAMETERS.format('adapter'):
+                writer.attach(file.name, file.media_type, file.data, at)
+    return namespace, tmp_path / 'run'
 
 
 def test_a_report_reads_its_own_graph_alone(bag):
@@ -57,6 +62,7 @@ def test_a_report_reads_its_own_graph_alone(bag):
     assert len(run.sent) == 1, namespace
     assert run.recorder.figures['planned'] == '1'
     assert {event.text for event in run.events} == {'worry 1', 'warning 1'}
+    assert run.configuration.network == CONFIGURATION.network
 
 
 def test_a_bag_that_does_not_tell_how_its_graph_was_started_is_named(tmp_path, capsys):

@@ -81,7 +81,19 @@ from srnn_bringup.run_outputs import Outputs
         ('belief diff run --pictur a.png', "unknown argument '--pictur' (did you mean"),
         ('doctor --json /nowhere/a.json', "no directory '/nowhere'"),
         ('up --arm-description ur5', "no arm description 'ur5' (did you mean 'ur5e'?)"),
+        # An option that would change nothing.
         ('replay run --topic segment', '--topic segment has no effect without --publish'),
+        ('replay run --rate 2', '--rate 2.0 has no effect without --publish'),
+        ('replay run --seed 3', '--seed 3 has no effect without --scene'),
+        ('replay run --publish --scene wall', '--scene wall has no effect with --publish'),
+        (
+            'replay run --publish --set learning.limit=4',
+            '--set learning.limit=4 has no effect with --publish',
+        ),
+        (
+            'experiment run --agent grid --save-weights a.npz',
+            '--save-weights a.npz has no effect with --agent grid, which has no network',
+        ),
         ('replay run --save-weights a.npz', '--save-weights needs --signal or --set'),
         ('replay run --signal global --save-weights /nowhere/a.npz', "no directory '/nowhere'"),
         ('belief list /nowhere@3', '/nowhere: there is no such bag or weight file'),

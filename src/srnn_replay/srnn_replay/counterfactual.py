@@ -61,26 +61,37 @@ class Learnt:
         }
 
 
-def learn_again(path: Path, changes: Mapping[str, Any], prefix: str | None = None) -> Learnt:
+def learn_again(
+    path: Path,
+    changes: Mapping[str, Any],
+    told: Mapping[str, bytes] | None = None,
+    prefix: str | None = None,
+) -> Learnt:
     """Learn from the experience of a recorded run, as it would have been with other parameters.
 
     Args:
         path: a bag.
         changes: values by dotted name below `model`, for example ``learning.signal``.
+        told: what the bag does not say of how the graph was started, see `RunOrigin`.
         prefix: namespace of the graph; None if there is only one in the bag.
 
     Raises:
         BagError: there is no such bag, or it is damaged.
         ConfigError: a parameter does not exist, or cannot have this value.
-        NotReplayableError: the bag lacks an experience.
+        NotReplayableError: the bag lacks an experience, or has one of other dimensions.
 
     """
     bag = open_bag(path)
-    origin = RunOrigin(bag)
-    told = origin.adapter()
-    model = changed(told.model, changes)
+    origin = RunOrigin(bag, told or {})
+    adapter = origin.adapter()
+    model = changed(adapter.model, changes)
+    had, wanted = adapter.model.network.dimensions, model.network.dimensions
+    if wanted != had:
+        raise NotReplayableError(
+            f'network.dimensions: {wanted}: the experience in {path} has {had}'
+        )
     recording = Recording(bag, NODE, TOPICS, prefix or _only(bag.path, prefixes(bag)))
-    session = LearningSession(model, told.seed, origin.start_weights())
+    session = LearningSession(model, adapter.seed, origin.start_weights())
     session.begin()
     before = session.learner.synapses
     updates, peaks, segments = [], [], 0

@@ -14,7 +14,7 @@ from rcl_interfaces.msg import Log
 from rclpy.serialization import deserialize_message
 
 from srnn_bag import Bag, Message, open_bag
-from srnn_bag.attached import RUN, SCENE
+from srnn_bag.attached import PARAMETERS, RUN, SCENE
 from srnn_bringup.choices import ROOT, Choices
 from srnn_bringup.config import Configuration, load
 from srnn_bringup.config_files import NetworkFile
@@ -159,13 +159,15 @@ class _Reader:
 def _configuration(bag: Bag) -> Configuration:
     """Return what the graph was told, as far as the bag has it."""
     origin = RunOrigin(bag).planner()
-    adapter = RunOrigin(bag).adapter()
+    # An arm may go by what another one learns.
+    learns = PARAMETERS.format('adapter') in bag.attachments
+    model = RunOrigin(bag).adapter().model if learns else origin.model
     about = json.loads(bag.attachments[RUN])
     with tempfile.TemporaryDirectory() as folder:
         scene = Path(folder, SCENE)
         scene.write_bytes(bag.attachments[SCENE])
         here = load(Choices(scene=str(scene)))
-    network = NetworkFile(model=adapter.model, planning=origin.planning)
+    network = NetworkFile(model=model, planning=origin.planning)
     return replace(
         here, scene=origin.scene, network=network, seed=origin.seed,
         robot=about.get('arm', here.robot),
