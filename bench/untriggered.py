@@ -11,7 +11,7 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from srnn_bringup.config import Choices, load
-from srnn_bringup.experiment import base_setting
+from srnn_bringup.experiments.run import base_setting
 from srnn_experiments.agent import NetworkAgent
 from srnn_experiments.setting import Setting
 from srnn_experiments.trial import make_run, make_world

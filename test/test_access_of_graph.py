@@ -10,7 +10,7 @@ from watched_graph import over
 
 from srnn_bringup.arms import ARMS, MOCK
 from srnn_bringup.config import Choices, load
-from srnn_bringup.enclaves import COMMAND, access
+from srnn_bringup.dds_security.enclaves import COMMAND, access
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.observer import Observer
 from srnn_bringup.run_recorder import start_recording

@@ -15,7 +15,7 @@ from lwr_sim_bridge import SimulatedArm, control_loop, simulated_arm
 from srnn_bringup.config import Choices, Configuration, load
 from srnn_bringup.config_files import ArmFile
 from srnn_bringup.demo import run_demo
-from srnn_bringup.experiment import base_setting
+from srnn_bringup.experiments.run import base_setting
 from srnn_bringup.run_outputs import Outputs
 from srnn_config import build, read_yaml, to_mapping
 from srnn_experiments.trial import run_trial

@@ -15,17 +15,17 @@ from cryptography.hazmat.primitives.serialization import load_pem_private_key
 from cryptography.x509 import load_pem_x509_certificate
 import pytest
 
-from srnn_bringup.certificates import Identity, sign
 from srnn_bringup.config import Choices, load
+from srnn_bringup.dds_security.certificates import Identity, sign
+from srnn_bringup.dds_security.enforcement import lack_of_security
+from srnn_bringup.dds_security.keystore import SIGNED, create_keystore, enclave_folder
 from srnn_bringup.environment import (
     domain_id,
     graph_environment,
     security_arguments,
     security_variables,
 )
-from srnn_bringup.keystore import SIGNED, create_keystore, enclave_folder
 from srnn_bringup.live_graph import LiveGraph
-from srnn_bringup.security import lack_of_security
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.ros.qos import profile
 from srnn_msgs_py.topics import NODES, TOPICS, topic

@@ -22,7 +22,7 @@ from launch_ros.actions import LifecycleNode, Node
 
 from srnn_bringup import viewer
 from srnn_bringup.config import ROOT, Configuration
-from srnn_bringup.enclaves import COMMAND
+from srnn_bringup.dds_security.enclaves import COMMAND
 from srnn_bringup.environment import graph_environment, security_arguments
 from srnn_bringup.graph import access, chosen, write_parameters
 from srnn_bringup.graph_options import configuration

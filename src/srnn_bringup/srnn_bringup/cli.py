@@ -40,11 +40,11 @@ _COMMANDS: Mapping[str, tuple[str, str]] = {
     ),
     'key': ('key_command:add_key_actions', 'Make the key by which the nodes know each other.'),
     'keystore': (
-        'keystore_command:add_keystore_actions',
+        'dds_security.command:add_keystore_actions',
         'Keys and permissions of the graph, for a middleware with DDS security.',
     ),
     'experiment': (
-        'experiment_options:add_experiments', 'Many trials on simulated time: runs and tables.'
+        'experiments.command:add_experiments', 'Many trials on simulated time: runs and tables.'
     ),
     'bench': (
         'bench_command:add_bench',

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from srnn_bringup.config_lookup import config_directory
-from srnn_bringup.enclaves import enclave
+from srnn_bringup.dds_security.enclaves import enclave
 from srnn_bringup.errors import ChoiceError
 
 DOMAIN_ID = 'ROS_DOMAIN_ID'

@@ -96,7 +96,7 @@ def configuration(options: argparse.Namespace) -> 'Configuration':
         )
     )
     if told.keystore is not None:
-        from srnn_bringup.security import require_security
+        from srnn_bringup.dds_security.enforcement import require_security
 
         require_security(told.keystore, os.environ)
     return told

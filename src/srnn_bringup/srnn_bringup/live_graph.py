@@ -16,7 +16,7 @@ from typing import Self
 from srnn_bringup import bag_attachments
 from srnn_bringup.bag_recorder import record
 from srnn_bringup.config import ROOT, Configuration
-from srnn_bringup.enclaves import COMMAND
+from srnn_bringup.dds_security.enclaves import COMMAND
 from srnn_bringup.environment import DOMAIN_ID, graph_environment, security_arguments
 from srnn_bringup.errors import (
     BringupError,

@@ -13,7 +13,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from srnn_bringup.config import ROOT
-from srnn_bringup.enclaves import COMMAND
+from srnn_bringup.dds_security.enclaves import COMMAND
 from srnn_bringup.environment import graph_environment, security_arguments
 from srnn_bringup.errors import SecurityError
 from srnn_bringup.pump import Pump

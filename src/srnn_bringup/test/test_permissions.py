@@ -4,9 +4,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from srnn_bringup.certificates import validity_from
-from srnn_bringup.enclaves import MEMBERS, access, enclave
-from srnn_bringup.permissions import governance_xml, permissions_xml
+from srnn_bringup.dds_security.certificates import validity_from
+from srnn_bringup.dds_security.enclaves import MEMBERS, access, enclave
+from srnn_bringup.dds_security.permissions import governance_xml, permissions_xml
 
 DOMAIN = 42
 VALIDITY = validity_from(datetime(2030, 1, 2, 3, 4, 5, 678, UTC))

@@ -6,14 +6,15 @@ import sys
 
 import pytest
 
-from srnn_bringup import cli, security, security_probe, supervisor
+from srnn_bringup import cli, supervisor
 from srnn_bringup.config import Choices, load
+from srnn_bringup.dds_security import enforcement, probe
+from srnn_bringup.dds_security.enforcement import lack_of_security, require_security
+from srnn_bringup.dds_security.keystore import check_keystore, create_keystore, enclave_folder
 from srnn_bringup.environment import domain_id, graph_environment, security_arguments
 from srnn_bringup.errors import ChoiceError, KeystoreError, NotReadyError, SecurityError
 from srnn_bringup.graph import describe
-from srnn_bringup.keystore import check_keystore, create_keystore, enclave_folder
 from srnn_bringup.live_graph import command
-from srnn_bringup.security import lack_of_security, require_security
 
 LACK = "This Fast DDS version doesn't have the security libraries"
 WHEEL = Path(sys.prefix, 'lib', 'librmw_fastrtps_shared_cpp.so')
@@ -43,7 +44,7 @@ def probe_that(monkeypatch, tmp_path, python: str) -> None:
     script = tmp_path / 'probe'
     script.write_text(f'#!/bin/sh\nexec {sys.executable} -c "{python}"\n')
     script.chmod(0o700)
-    monkeypatch.setattr(security.sys, 'executable', str(script))
+    monkeypatch.setattr(enforcement.sys, 'executable', str(script))
 
 
 @unprotected
@@ -75,8 +76,8 @@ def test_security_is_to_let_in_the_one_and_not_the_other(
     monkeypatch, capsys, of_valid, of_forged, code, said
 ):
     refusals = {Path('valid'): of_valid, Path('forged'): of_forged}
-    monkeypatch.setattr(security_probe, '_refusal', refusals.get)
-    assert security_probe.main(['valid', 'forged']) == code
+    monkeypatch.setattr(probe, '_refusal', refusals.get)
+    assert probe.main(['valid', 'forged']) == code
     assert capsys.readouterr().out == said
 
 
@@ -127,7 +128,7 @@ def test_what_the_trial_found_is_reported(monkeypatch, tmp_path, keystore, pytho
 
 def test_a_trial_that_hangs_tells_nothing(monkeypatch, tmp_path):
     probe_that(monkeypatch, tmp_path, 'import time; time.sleep(60)')
-    monkeypatch.setattr(security, 'TRY_S', 0.2)
+    monkeypatch.setattr(enforcement, 'TRY_S', 0.2)
     with pytest.raises(NotReadyError, match=r'within 0.2 s'):
         lack_of_security(os.environ)
 
@@ -145,7 +146,7 @@ def test_the_trial_compares_a_valid_keystore_with_one_whose_permissions_are_forg
         return subprocess.CompletedProcess(line, 0)
 
     run_process = subprocess.run
-    monkeypatch.setattr(security.subprocess, 'run', run)
+    monkeypatch.setattr(enforcement.subprocess, 'run', run)
     assert not lack_of_security(os.environ)
     assert verified == [True, False]
 

@@ -12,11 +12,11 @@ from test_picture import png_size
 
 from srnn_bringup import cli
 from srnn_bringup.config import Choices, load
-from srnn_bringup.experiment import base_setting
+from srnn_bringup.experiments.run import base_setting
+from srnn_bringup.experiments.transfer import run_transfer
 from srnn_bringup.picture import SIZE
 from srnn_bringup.plots.style import DPI
 from srnn_bringup.plots.transfer_picture import TransferStory, draw
-from srnn_bringup.transfer import run_transfer
 from srnn_experiments import schedulers
 from srnn_experiments.schedulers import LocalProcesses
 from srnn_experiments.store import unpack
@@ -140,7 +140,7 @@ def test_a_killed_run_goes_on_where_it_stopped(rows, finished, tmp_path, monkeyp
     ],
 )
 def test_a_mistyped_option_gives_one_clear_line(line, words, tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr('srnn_bringup.transfer.run_transfer', not_reached)
+    monkeypatch.setattr('srnn_bringup.experiments.transfer.run_transfer', not_reached)
     with contextlib.suppress(SystemExit):
         assert cli.main(['experiment', 'transfer', *line.format(tmp_path / 'out').split()]) == 2
     error = capsys.readouterr().err
@@ -156,7 +156,8 @@ def not_reached(*_):
 def test_options_reach_the_experiment(tmp_path, monkeypatch):
     calls = []
     monkeypatch.setattr(
-        'srnn_bringup.transfer.run_transfer', lambda *arguments: calls.append(arguments) or 0
+        'srnn_bringup.experiments.transfer.run_transfer',
+        lambda *arguments: calls.append(arguments) or 0,
     )
     line = f'--trials 3 --segments 9 --seed 5 --network network_paper --workers 1 --out {tmp_path}'
     assert cli.main(['experiment', 'transfer', *line.split()]) == 0

@@ -98,7 +98,7 @@ def _receive_queue(allowed: int) -> Finding:
 
 def _security(environ: Mapping[str, str]) -> Finding:
     try:
-        from srnn_bringup.security import lack_of_security
+        from srnn_bringup.dds_security.enforcement import lack_of_security
 
         lack = lack_of_security(environ)
     except (BringupError, ImportError) as error:

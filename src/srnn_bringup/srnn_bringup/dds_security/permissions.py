@@ -6,8 +6,8 @@ from datetime import datetime
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from srnn_bringup.certificates import Validity
-from srnn_bringup.enclaves import Access
+from srnn_bringup.dds_security.certificates import Validity
+from srnn_bringup.dds_security.enclaves import Access
 
 _INSTANCE = 'http://www.w3.org/2001/XMLSchema-instance'
 _SCHEMAS = 'http://www.omg.org/spec/DDS-SECURITY/20170901'

@@ -7,10 +7,15 @@ import subprocess
 import sys
 import tempfile
 
-from srnn_bringup.enclaves import COMMAND
+from srnn_bringup.dds_security.enclaves import COMMAND
+from srnn_bringup.dds_security.keystore import (
+    SIGNED,
+    check_keystore,
+    create_keystore,
+    enclave_folder,
+)
 from srnn_bringup.environment import domain_id, graph_environment
 from srnn_bringup.errors import ChoiceError, NotReadyError, SecurityError
-from srnn_bringup.keystore import SIGNED, check_keystore, create_keystore, enclave_folder
 
 ENCLAVE_OVERRIDE = 'ROS_SECURITY_ENCLAVE_OVERRIDE'
 
@@ -71,7 +76,8 @@ def lack_of_security(environ: Mapping[str, str]) -> str:
         (enclave_folder(forged, COMMAND) / SIGNED).write_bytes(theirs.read_bytes())
         environment = graph_environment(environ)
         environment.pop(ENCLAVE_OVERRIDE, None)
-        command = [sys.executable, '-m', 'srnn_bringup.security_probe', str(valid), str(forged)]
+        probe = 'srnn_bringup.dds_security.probe'
+        command = [sys.executable, '-m', probe, str(valid), str(forged)]
         try:
             done = subprocess.run(
                 command,

@@ -6,8 +6,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from srnn_bringup.experiment import run_with_progress
-from srnn_bringup.result_files import open_store, write_results
+from srnn_bringup.experiments.result_files import open_store, write_results
+from srnn_bringup.experiments.run import run_with_progress
 from srnn_config import to_mapping
 from srnn_experiments.campaign import Job, Scheduler, outcome_of
 from srnn_experiments.store import TrialStore, unpack

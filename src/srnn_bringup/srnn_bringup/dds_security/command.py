@@ -32,8 +32,8 @@ def add_keystore_actions(table: 'argparse._SubParsersAction[Parser]') -> 'dict[s
 
 
 def _create(options: argparse.Namespace) -> int:
-    from srnn_bringup.enclaves import MEMBERS, enclave
-    from srnn_bringup.keystore import create_keystore
+    from srnn_bringup.dds_security.enclaves import MEMBERS, enclave
+    from srnn_bringup.dds_security.keystore import create_keystore
 
     check_environment(os.environ)
     domain = domain_id(os.environ)

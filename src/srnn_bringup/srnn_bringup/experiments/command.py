@@ -198,7 +198,7 @@ def _configuration(options: argparse.Namespace) -> 'Configuration':
 
 
 def _run(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiment import Experiment, run_experiment
+    from srnn_bringup.experiments.run import Experiment, run_experiment
 
     if options.agent == 'grid':
         refuse_idle(options, OF_NETWORK, 'with --agent grid, which has no network')
@@ -211,8 +211,8 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _random(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiment import base_setting, make_scheduler
-    from srnn_bringup.random_scenes import run_random_scenes
+    from srnn_bringup.experiments.random_scenes import run_random_scenes
+    from srnn_bringup.experiments.run import base_setting, make_scheduler
 
     base = base_setting(_configuration(options), options.segments, options.world)
     seeds = range(options.first, options.first + options.scenes)
@@ -221,8 +221,8 @@ def _random(options: argparse.Namespace) -> int:
 
 
 def _transfer(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiment import base_setting, make_scheduler
-    from srnn_bringup.transfer import run_transfer
+    from srnn_bringup.experiments.run import base_setting, make_scheduler
+    from srnn_bringup.experiments.transfer import run_transfer
     from srnn_config.scene import load_scene
     from srnn_experiments.transfer import transfers
 
@@ -235,8 +235,8 @@ def _transfer(options: argparse.Namespace) -> int:
 
 
 def _table1(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiment import base_setting, make_scheduler
-    from srnn_bringup.table1 import run_table1
+    from srnn_bringup.experiments.run import base_setting, make_scheduler
+    from srnn_bringup.experiments.table1 import run_table1
 
     base = base_setting(_configuration(options), options.segments, options.world)
     seeds = range(options.seed, options.seed + options.trials)
@@ -245,8 +245,8 @@ def _table1(options: argparse.Namespace) -> int:
 
 
 def _figures(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiment import base_setting, make_scheduler
-    from srnn_bringup.figures import run_paper_figures
+    from srnn_bringup.experiments.figures import run_paper_figures
+    from srnn_bringup.experiments.run import base_setting, make_scheduler
 
     base = base_setting(_configuration(options), options.segments, options.world)
     seeds = range(options.seed, options.seed + options.trials)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tries what the middleware does with a keystore: python -m srnn_bringup.security_probe.
+"""Tries what the middleware does with a keystore: python -m srnn_bringup.dds_security.probe.
 
 Arguments are a valid keystore and one whose permissions are forged. The exit code is 0 if
 the first one opens the domain and the second does not; otherwise a line says what is wrong.
@@ -15,7 +15,7 @@ import rclpy
 from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 
-from srnn_bringup.enclaves import COMMAND
+from srnn_bringup.dds_security.enclaves import COMMAND
 from srnn_bringup.environment import security_arguments, security_variables
 
 

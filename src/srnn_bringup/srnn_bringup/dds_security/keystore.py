@@ -20,10 +20,10 @@ import re
 import shutil
 import tempfile
 
-from srnn_bringup.certificates import found_authority, issue, sign, validity_from
-from srnn_bringup.enclaves import COMMAND, MEMBERS, access, enclave
+from srnn_bringup.dds_security.certificates import found_authority, issue, sign, validity_from
+from srnn_bringup.dds_security.enclaves import COMMAND, MEMBERS, access, enclave
+from srnn_bringup.dds_security.permissions import governance_xml, permissions_xml
 from srnn_bringup.errors import KeystoreError
-from srnn_bringup.permissions import governance_xml, permissions_xml
 
 IDENTITY = 'identity_ca'
 """The authority that says who is who."""

@@ -6,8 +6,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from srnn_bringup.experiment import run_with_progress
-from srnn_bringup.result_files import open_store, write_results
+from srnn_bringup.experiments.result_files import open_store, write_results
+from srnn_bringup.experiments.run import run_with_progress
 from srnn_experiments import table1
 from srnn_experiments.campaign import Scheduler, rows
 from srnn_experiments.paper import TABLE_1

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import json
 from pathlib import Path
 
-from srnn_bringup.experiment import run_with_progress
+from srnn_bringup.experiments.run import run_with_progress
 from srnn_bringup.plots.paper_figures import FIGURES
 from srnn_experiments.campaign import Scheduler
 from srnn_experiments.evaluation.trials import Evaluation, evaluation, jobs

@@ -5,8 +5,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from srnn_bringup.experiment import run_with_progress
-from srnn_bringup.result_files import open_store, write_results
+from srnn_bringup.experiments.result_files import open_store, write_results
+from srnn_bringup.experiments.run import run_with_progress
 from srnn_experiments.campaign import Job, Scheduler
 from srnn_experiments.random_scene import random_scene
 from srnn_experiments.random_scenes_report import as_markdown, report
