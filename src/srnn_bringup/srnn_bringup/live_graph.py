@@ -41,7 +41,9 @@ CONFIGURE_S = 180.0
 ACTIVATE_S = 10.0
 DEACTIVATE_S = 4.0
 
-_ERROR_LINE = re.compile(r'^\[(?:ERROR|FATAL)\](?: \[[^]]*\])* ?:? ?(.*)$')
+_LINE = r'\](?: \[[^]]*\])* ?:? ?(.*)$'
+_ERROR_LINE = re.compile(rf'^\[(?:ERROR|FATAL){_LINE}')
+_WARNING_LINE = re.compile(rf'^\[(?:WARN|ERROR|FATAL){_LINE}')
 
 
 class LiveGraph:
@@ -135,6 +137,15 @@ class LiveGraph:
         for client in self._clients:
             client.change('activate', self.pump, ACTIVATE_S)
             self._active.append(client)
+
+    def warnings(self) -> list[str]:
+        """Return what nodes have warned of since this was asked last, with their names."""
+        return [
+            f'{name}: {match[1]}'
+            for name in self.names
+            for line in self._supervisor.new_lines(name)
+            if (match := _WARNING_LINE.match(line))
+        ]
 
     def restart(self, name: str) -> None:
         """Start a node that has ended anew; it goes through its lifecycle by itself.

@@ -83,6 +83,7 @@ class Supervisor:
         self._directory = directory
         self._steps = steps
         self._processes: dict[str, subprocess.Popen[bytes]] = {}
+        self._read: dict[str, int] = {}
 
     def __enter__(self) -> Self:
         return self
@@ -137,6 +138,16 @@ class Supervisor:
         """Return the end of the output of a process."""
         text = self._log(name).read_text(encoding='utf-8', errors='replace')
         return tuple(text.splitlines()[-count:])
+
+    def new_lines(self, name: str) -> list[str]:
+        """Return the whole lines that a process has printed since this was asked last."""
+        begin = self._read.get(name, 0)
+        with self._log(name).open('rb') as log:
+            log.seek(begin)
+            before, end, _ = log.read().rpartition(b'\n')
+        whole = before + end
+        self._read[name] = begin + len(whole)
+        return whole.decode(errors='replace').splitlines()
 
     def stop(self) -> None:
         """Stop what runs, last started first, each with increasing force."""

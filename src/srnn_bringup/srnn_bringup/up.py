@@ -16,6 +16,9 @@ from srnn_bringup.restarts import Restarts
 from srnn_bringup.viewer import viewing
 from srnn_node.signals import StopRequest
 
+WARNINGS_S = 1.0
+"""How often it is looked at what nodes warn of [s]."""
+
 
 def run_up(
     configuration: Configuration,
@@ -49,7 +52,9 @@ def run_up(
                 processes = ', '.join(f'{name} ({pid})' for name, pid in graph.pids.items())
                 console.note(f'up: {processes}; Ctrl-C stops the graph')
                 while True:
-                    graph.pump.turn()
+                    graph.pump.until(lambda: False, WARNINGS_S)
+                    for warning in graph.warnings():
+                        console.note(warning)
         except Interrupted as wish:
             console.note(f'stopped by {wish}')
             return DONE

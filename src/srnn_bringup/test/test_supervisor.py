@@ -63,6 +63,16 @@ def start(supervisor, **codes):
     wait_for(lambda: all('ready' in supervisor.last_lines(name) for name in codes))
 
 
+def test_each_line_is_new_once_and_only_when_it_is_whole(supervisor, tmp_path):
+    start(supervisor, one=OBEDIENT)
+    assert supervisor.new_lines('one') == ['ready']
+    assert supervisor.new_lines('one') == []
+    with (tmp_path / 'one.log').open('a') as log:
+        for text, lines in (('first\n\nsec', ['first', '']), ('ond\n', ['second']), ('\n', [''])):
+            print(text, end='', file=log, flush=True)
+            assert supervisor.new_lines('one') == lines
+
+
 def test_nothing_has_died_while_all_run(supervisor):
     start(supervisor, one=OBEDIENT, two=OBEDIENT)
     assert supervisor.deaths() == []
