@@ -47,12 +47,14 @@ clean:
 	rm -rf src/*/build src/*/*.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-$(VENV)/.requirements: requirements.lock
+OLDER = $(shell $(PYTHON) -c 'import sys; print("--requirement requirements-before-3.14.txt" * (sys.version_info < (3, 14)))')
+
+$(VENV)/.requirements: requirements.lock requirements-before-3.14.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed, this is " + sys.version)'
 	@echo 'Setting up $(VENV), about a minute ...'
 	$(PYTHON) -m venv $(VENV)
 	$(PIP) install setuptools==$$(sed -n 's/^setuptools==//p' requirements.lock)
-	$(PIP) install --no-deps --requirement requirements.lock
+	$(PIP) install --no-deps --requirement requirements.lock $(OLDER)
 	touch $@
 
 # PEP 517 puts console scripts into the environment's bin, in spite of the setup.cfg of ROS.

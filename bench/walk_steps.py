@@ -141,7 +141,7 @@ ARM = Walk(
         Step('A body that the model does not have.',
              "sed 's/flange: .*/flange: wrist_4_link/' my_arm.yaml > wrong.yaml; "
              'srnn demo --arm-description wrong.yaml',
-             r"flange = 'wrist_4_link': must be a body of .*wrist_3_link", code=1),
+             r"flange = 'wrist_4_link': must be a body of .*wrist_3_link", code=2),
         Step('Does it learn the obstacle with this arm?',
              'srnn demo --arm-description my_arm.yaml', LEARNED, limit_s=400.0),
         Step('The part that thinks, for an arm behind `ros2_control`, which is not there yet.',

@@ -31,9 +31,8 @@ from srnn_bench.machine import processor
 UBUNTU_SETUP = Path('/opt/ros/jazzy/setup.bash')
 LIMIT_S = 600.0
 FIRST_DOMAIN = 215
-"""From here to the last domain, 232, no port of DDS is one that Linux gives to anybody."""
+"""Each walk has a domain; up to 232 no port of DDS is one that Linux gives to anybody."""
 
-DOMAINS = 18
 KEPT = ('LANG', 'LC_', 'TERM', 'PIP_', 'SSL_', 'http', 'https', 'no_proxy')
 """Beginnings of variables that a walk inherits, besides a `PATH` without virtual environments."""
 
@@ -132,12 +131,12 @@ def main(words: Sequence[str] | None = None) -> int:
     chosen = choice.only.split(',')
     if unknown := set(chosen) - {walk.name for walk in WALKS}:
         parser.error(f'--only: {", ".join(sorted(unknown))}: must be of {every}')
-    environ = environment(os.environ, FIRST_DOMAIN + os.getpid() % DOMAINS)
     names = names_of_the_machine(choice.ros_setup)
     made: dict[str, Walked] = {}
     failures: list[str] = []
-    for walk in WALKS:
+    for domain, walk in enumerate(WALKS, start=FIRST_DOMAIN):
         if walk.name in chosen:
+            environ = environment(os.environ, domain)
             try:
                 made[walk.name] = walked(walk, environ, choice.ros_setup, names)
             except StepFailedError as error:

@@ -217,7 +217,7 @@ def test_no_two_tests_have_the_same_name():
     'name',
     [
         'requirements.lock', 'requirements-peers.txt', 'requirements-brian2.txt',
-        'requirements-docs.txt',
+        'requirements-docs.txt', 'requirements-before-3.14.txt',
     ],
 )
 def test_every_package_is_pinned_by_name_and_version(name):

@@ -61,7 +61,7 @@ def _read(description: ArmDescription) -> mujoco.MjSpec:
     try:
         spec = mujoco.MjSpec.from_file(str(path))
     except ValueError as error:
-        raise ModelError(f'{path}: cannot be read: {error}') from error
+        raise ModelError(f'model = {description.model!r}: cannot be read: {error}') from error
     if path.suffix == '.urdf':
         _adapt_urdf(spec)
     return spec
@@ -112,7 +112,7 @@ def _choose_joints(spec: mujoco.MjSpec, description: ArmDescription) -> None:
         )
     for joint, torque in zip(spec.joints, description.torque_max, strict=True):
         if joint.type != mujoco.mjtJoint.mjJNT_HINGE:
-            raise ModelError(f'joint {joint.name!r} of {description.model}: must be a hinge')
+            raise ModelError(f'joints: {joint.name!r} of {description.model}: must be a hinge')
         motor = spec.add_actuator(
             name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT,
             ctrllimited=True, ctrlrange=[-torque, torque],

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
-from lwr_description import ArmDescription, MissingModelError, find_model
+from lwr_description import ArmDescription, MissingModelError, ModelError, arm_spec
 from lwr_tracking.core.parameters import TrackerParameters
 from srnn_access import Key, key_file
 from srnn_bringup.choices import (
@@ -105,9 +105,9 @@ class Configuration(Parameters):
                 'arm.mount.description', model, f"the LWR 4+, unchanged: arm '{FRI}' is no other"
             )
         try:
-            find_model(model)
-        except MissingModelError as error:
-            raise MissingModelError(f'mount.description.{error}') from None
+            arm_spec(self.arm.mount)
+        except (MissingModelError, ModelError) as error:
+            raise type(error)(f'mount.description.{error}') from None
 
     @property
     def tracker(self) -> TrackerParameters:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import yaml
 
-from lwr_description import MissingModelError
+from lwr_description import MissingModelError, ModelError
 from srnn_bringup.config import Choices, load
 from srnn_bringup.config_lookup import config_directory, find_scene, scene_names
 from srnn_bringup.errors import BringupError, ChoiceError, ConfigDirectoryError
@@ -83,6 +83,8 @@ def test_impossible_choices_are_refused_by_name(choices, error, words):
          ParameterError, "tool_mass = 'heavy': must be a number"),
         ('arms/lwr4p.yaml', lambda d: d['mount']['description'].update(model='no_arms:a.xml'),
          MissingModelError, "mount.description.model = 'no_arms:a.xml': there is no Python "),
+        ('arms/lwr4p.yaml', lambda d: d['mount']['description'].update(flange='hand'),
+         ModelError, "mount.description.flange = 'hand': must be a body of "),
         ('arms/lwr4p.yaml', lambda d: d['arm']['impedance'].update(stiffness=[2000.0] * 6),
          ParameterError, 'must be 7 values, one for each joint'),
         ('tracking.yaml', lambda d: d['tracking']['gate'].update(speed_limit=0.05),
