@@ -24,7 +24,7 @@ from srnn_node.entities import EntityLedger
 from srnn_node.hooks import Hooks
 from srnn_node.journal import JournalWriter
 from srnn_node.parameters import NoParameters, declare_parameters
-from srnn_node.realtime import prefer_thread
+from srnn_node.realtime import prefer_thread, unhurried
 from srnn_node.reception import Reception
 from srnn_node.surviving import SurvivingNode
 from srnn_node.unheard import Unheard
@@ -193,7 +193,8 @@ class WorkspaceNode(Hooks, SurvivingNode):
     def _configure(self) -> None:
         parameters = declare_parameters(self, self.PARAMETERS)
         self._access = Access.configured(self)
-        self.configure(parameters)
+        with unhurried():
+            self.configure(parameters)
 
     def _not_converted(self) -> None:
         self.refused_messages += 1

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Real-time scheduling and locked memory, where the process has the right to them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 import ctypes
 from dataclasses import dataclass
 import os
@@ -77,6 +78,24 @@ def prefer_thread(priority: int, environ: Mapping[str, str] = os.environ) -> boo
     except OSError:
         return False
     return True
+
+
+@contextmanager
+def unhurried() -> Iterator[None]:
+    """Do without the real-time priority of this thread for a while.
+
+    Compiling takes seconds, and would keep every arm waiting that is already controlled on
+    this machine. Threads that are there already keep their priority.
+    """
+    policy, parameters = os.sched_getscheduler(0), os.sched_getparam(0)
+    if policy != os.SCHED_FIFO:
+        yield
+        return
+    os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+    try:
+        yield
+    finally:
+        os.sched_setscheduler(0, policy, parameters)
 
 
 def _priority(text: str, default: int) -> int:

@@ -20,6 +20,32 @@ print(got.granted, os.sched_getscheduler(0) == os.SCHED_FIFO, got.words)
 """
 
 
+FOR_A_WHILE = """
+import os, threading
+from srnn_node.realtime import request_realtime, unhurried
+request_realtime(5)
+told, asked, answered = [], threading.Event(), threading.Event()
+
+def other():
+    asked.wait()
+    told.append(os.sched_getscheduler(0))
+    answered.set()
+
+thread = threading.Thread(target=other)
+thread.start()
+before = os.sched_getscheduler(0), os.sched_getparam(0).sched_priority
+try:
+    with unhurried():
+        during = os.sched_getscheduler(0)
+        asked.set()
+        answered.wait()
+        raise KeyError
+except KeyError:
+    after = os.sched_getscheduler(0), os.sched_getparam(0).sched_priority
+print(before == after, during == os.SCHED_OTHER, told[0] == before[0])
+"""
+
+
 @pytest.mark.parametrize('environ', [{}, {VARIABLE: ''}, {VARIABLE: '0'}])
 def test_nobody_who_does_not_ask_is_given_priority(environ):
     policy = os.sched_getscheduler(0)
@@ -41,6 +67,13 @@ def test_what_is_told_is_what_the_kernel_did():
     granted, fifo, words = done.stdout.strip().split(' ', 2)
     assert words.startswith('SCHED_FIFO 5') == (fifo == 'True')
     assert granted == str(words == 'SCHED_FIFO 5, memory locked')
+
+
+def test_who_takes_long_lets_others_go_first_and_is_as_fast_as_before_afterwards():
+    done = subprocess.run(
+        [sys.executable, '-c', FOR_A_WHILE], capture_output=True, text=True, timeout=30, check=True
+    )
+    assert done.stdout.split() == ['True', 'True', 'True']
 
 
 def test_a_frozen_collector_leaves_everything_alone_until_it_is_thawed():
