@@ -105,7 +105,8 @@ class DriverNode(WorkspaceNode):
             return Health(HealthLevel.ERROR, str(error))
         status = self._client.status
         health = driver_health(status, self._client.silent_for, self.active)
-        if health.message == status.words != self._told:
+        asleep = health.message != status.words
+        if status.words != self._told and not asleep:
             self._told = status.words
             self.get_logger().info(status.words)
         return health

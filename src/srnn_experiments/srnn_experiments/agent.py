@@ -87,13 +87,4 @@ class NetworkAgent:
         update_ms = 1e3 * (perf_counter() - began)
         if lesson.updated:
             self.planner.use_weights(self.learner.synapses.learned)
-        return Dissonance(
-            segment_stamp_ns=plan.stamp_ns,
-            signal=self.learner.signal,
-            updated=lesson.updated,
-            weights_version=self.learner.updates,
-            peak=lesson.peak,
-            global_alpha=lesson.squared_distance.astype(np.float32),
-            neuron_peak=lesson.neuron_peak.astype(np.float32),
-            update_ms=update_ms,
-        )
+        return lesson.told(plan.stamp_ns, self.learner.signal, self.learner.updates, update_ms)

@@ -33,6 +33,8 @@ from srnn_experiments.random_scenes_report import HELD_OUT
 
 if TYPE_CHECKING:
     from srnn_bringup.config import Configuration
+    from srnn_experiments.campaign import Scheduler
+    from srnn_experiments.setting import Setting
 
 PAPER = 'network_paper'
 SEGMENTS, TRIALS = 300, 10
@@ -197,6 +199,16 @@ def _configuration(options: argparse.Namespace) -> 'Configuration':
     )
 
 
+def _asked(
+    options: argparse.Namespace, first: int, count: int, world: str
+) -> 'tuple[Setting, range, Scheduler]':
+    """Return what trials are done with, with which seeds, and where."""
+    from srnn_bringup.experiments.run import base_setting, make_scheduler
+
+    base = base_setting(_configuration(options), options.segments, world)
+    return base, range(first, first + count), make_scheduler(options.workers, options.scheduler)
+
+
 def _run(options: argparse.Namespace) -> int:
     from srnn_bringup.experiments.run import Experiment, run_experiment
 
@@ -212,43 +224,30 @@ def _run(options: argparse.Namespace) -> int:
 
 def _random(options: argparse.Namespace) -> int:
     from srnn_bringup.experiments.random_scenes import run_random_scenes
-    from srnn_bringup.experiments.run import base_setting, make_scheduler
 
-    base = base_setting(_configuration(options), options.segments, options.world)
-    seeds = range(options.first, options.first + options.scenes)
-    scheduler = make_scheduler(options.workers, options.scheduler)
+    base, seeds, scheduler = _asked(options, options.first, options.scenes, options.world)
     return run_random_scenes(base, seeds, scheduler, options.out, print)
 
 
 def _transfer(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiments.run import base_setting, make_scheduler
     from srnn_bringup.experiments.transfer import run_transfer
     from srnn_config.scene import load_scene
     from srnn_experiments.transfer import transfers
 
     target = load_scene(find_scene(options.target, config_directory()))
-    base = base_setting(_configuration(options), options.segments, 'mujoco')
-    rows = transfers(base, target)
-    seeds = range(options.seed, options.seed + options.trials)
-    scheduler = make_scheduler(options.workers, options.scheduler)
-    return run_transfer(rows, seeds, scheduler, options.out, print)
+    base, seeds, scheduler = _asked(options, options.seed, options.trials, 'mujoco')
+    return run_transfer(transfers(base, target), seeds, scheduler, options.out, print)
 
 
 def _table1(options: argparse.Namespace) -> int:
-    from srnn_bringup.experiments.run import base_setting, make_scheduler
     from srnn_bringup.experiments.table1 import run_table1
 
-    base = base_setting(_configuration(options), options.segments, options.world)
-    seeds = range(options.seed, options.seed + options.trials)
-    scheduler = make_scheduler(options.workers, options.scheduler)
+    base, seeds, scheduler = _asked(options, options.seed, options.trials, options.world)
     return run_table1(base, seeds, scheduler, options.out, print)
 
 
 def _figures(options: argparse.Namespace) -> int:
     from srnn_bringup.experiments.figures import run_paper_figures
-    from srnn_bringup.experiments.run import base_setting, make_scheduler
 
-    base = base_setting(_configuration(options), options.segments, options.world)
-    seeds = range(options.seed, options.seed + options.trials)
-    scheduler = make_scheduler(options.workers, options.scheduler)
+    base, seeds, scheduler = _asked(options, options.seed, options.trials, options.world)
     return run_paper_figures(base, seeds, options.long, scheduler, options.out, print)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_msgs_py.dissonance import Dissonance
 from srnn_msgs_py.weights import LearnedWeights
 from srnn_planner.core import generator_state, plasticity_kernel
 from srnn_planner.core.dissonance import (
@@ -45,6 +46,27 @@ class Lesson:
     def peak(self) -> float:
         """Largest learning rate of the segment."""
         return float(self.neuron_peak.max())
+
+    def told(self, stamp_ns: int, signal: str, version: int, update_ms: float) -> Dissonance:
+        """Return what others are told of the lesson.
+
+        Args:
+            stamp_ns: stamp of the segment [ns].
+            signal: name of the learning signal.
+            version: of the weights that are in use now.
+            update_ms: how long it took [ms].
+
+        """
+        return Dissonance(
+            segment_stamp_ns=stamp_ns,
+            signal=signal,
+            updated=self.updated,
+            weights_version=version,
+            peak=self.peak,
+            global_alpha=self.squared_distance.astype(np.float32),
+            neuron_peak=self.neuron_peak.astype(np.float32),
+            update_ms=update_ms,
+        )
 
 
 class Learner:

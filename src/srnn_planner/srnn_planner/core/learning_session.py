@@ -71,7 +71,6 @@ class LearningSession:
         self.active = False
         self.went_back = ''
         self._note = note
-        self._signal = model.learning.signal
         self._pairing = Pairing()
 
     def begin(self) -> None:
@@ -106,16 +105,9 @@ class LearningSession:
 
     def acknowledgement(self, learned: Learned, update_ms: float) -> Dissonance:
         """Return what the planner is told of a lesson, which took so long [ms]."""
-        lesson = learned.lesson
-        return Dissonance(
-            segment_stamp_ns=learned.plan.stamp_ns,
-            signal=self._signal,
-            updated=lesson.updated,
-            weights_version=self.model.weights.version,
-            peak=lesson.peak,
-            global_alpha=lesson.squared_distance.astype(np.float32),
-            neuron_peak=lesson.neuron_peak.astype(np.float32),
-            update_ms=update_ms,
+        version = self.model.weights.version
+        return learned.lesson.told(
+            learned.plan.stamp_ns, self.learner.signal, version, update_ms
         )
 
     def shared(self, stamp_ns: int) -> WeightsUpdate:
