@@ -8,7 +8,8 @@ SENDERS = 16
 class SequenceGaps:
     """The numbers of the messages of one topic that has one sender at a time.
 
-    A sender counts from 1. Whoever listens later hears a later number first.
+    A sender counts from 1. Of the first one a later number may be heard first, if it was there
+    before; of its successors everything is to be heard.
 
     Attributes:
         lost: messages that were sent and did not arrive.
@@ -29,6 +30,7 @@ class SequenceGaps:
         before = [expected for expected in self._next if expected < number]
         if number == 1 or not before:
             # A sender that was not known.
+            self.lost += number - 1 if self._next else 0
             self._next = [number + 1, *self._next[: SENDERS - 1]]
             return
         nearest = max(before)

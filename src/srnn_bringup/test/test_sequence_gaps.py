@@ -30,5 +30,10 @@ def test_a_successor_begins_anew(lives):
     assert heard(number for count in lives for number in range(1, count + 1)) == 0
 
 
+@given(st.integers(1, 10**6), st.integers(1, 50))
+def test_the_first_words_of_a_successor_count(last, first):
+    assert heard([last, min(first, last)]) == min(first, last) - 1
+
+
 def test_last_words_of_a_predecessor_may_come_late():
     assert heard([1, 2, 3, 1, 4, 2, 3, 5]) == 0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs one node as a process, from the first right asked for to the last message sent."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 import sys
 import time
 import traceback
@@ -21,10 +21,14 @@ from srnn_node.lifecycle import STARTING, WorkspaceNode
 from srnn_node.loop import Loop
 from srnn_node.next_step import next_step
 from srnn_node.realtime import request_realtime
+from srnn_node.settling import Settling, matched_endpoints
 from srnn_node.signals import StopRequest
 
 GRACE_S = 0.1
 """How long the middleware gets to send the last messages [s]."""
+
+LOOK_S = 0.05
+"""Time between two looks at who has been found [s]."""
 
 
 def run(
@@ -68,6 +72,7 @@ def _live(
     node_class: type[WorkspaceNode], command_line: list[str], stop: StopRequest, priority: int
 ) -> None:
     scheduling = request_realtime(priority)
+    created = time.monotonic()
     node = _create(node_class, command_line)
     if not scheduling.granted:
         node.get_logger().warning(scheduling.words)
@@ -76,7 +81,7 @@ def _live(
     loop = Loop(node, executor)
     try:
         if node.get_parameter('autostart').value:
-            _start(node)
+            _start(node, executor, stop, created)
         told = ''
         while stop.name is None and (state := node.state) != 'finalized':
             if state != told:
@@ -98,11 +103,22 @@ def _create(node_class: Any, command_line: list[str]) -> WorkspaceNode:
     return node
 
 
-def _start(node: WorkspaceNode) -> None:
-    paused = node.get_parameter('paused').value
-    for trigger in (node.trigger_configure, *(() if paused else (node.trigger_activate,))):
-        if trigger() != TransitionCallbackReturn.SUCCESS:
-            raise NodeError(node.failure)
+def _start(node: WorkspaceNode, executor: Any, stop: StopRequest, created: float) -> None:
+    _change(node, node.trigger_configure)
+    if node.get_parameter('paused').value:
+        return
+    # Whoever is there, a recorder above all, must hear the first word as the others do.
+    settling = Settling(created, time.monotonic())
+    while not settling.done(matched_endpoints(node), time.monotonic()):
+        _spin(executor, LOOK_S)
+        if stop.name is not None or node.state != 'inactive':
+            return
+    _change(node, node.trigger_activate)
+
+
+def _change(node: WorkspaceNode, trigger: Callable[[], TransitionCallbackReturn]) -> None:
+    if trigger() != TransitionCallbackReturn.SUCCESS:
+        raise NodeError(node.failure)
 
 
 def _tell(node: WorkspaceNode) -> None:

@@ -60,6 +60,16 @@ def test_a_signalled_node_says_farewell_and_exits_with_0(bench, heard, speaker, 
     assert process.stderr.read() == ''
 
 
+def test_a_node_that_waits_to_be_found_can_be_stopped(bench, heard, speaker):
+    process = speaker('autostart:=true')
+    watcher = bench.client('watcher')
+    topic = 'forward_position_controller/commands'
+    bench.spin_until(lambda: watcher.count_publishers(topic))
+    process.terminate()
+    process.communicate(timeout=PATIENCE_S)
+    assert (process.returncode, heard) == (0, [])
+
+
 def test_a_node_that_breaks_says_farewell_and_why_and_exits_with_1(bench, heard, speaker):
     process = speaker('autostart:=true', 'dies_after:=50', 'rate:=100.0')
     bench.spin_until(lambda: heard)
