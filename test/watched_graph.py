@@ -11,6 +11,7 @@ import time
 
 import numpy as np
 from rclpy.node import Node
+from std_srvs.srv import Trigger
 import yaml
 
 from lwr_sim_bridge.fri.parameters import PatienceParameters
@@ -33,14 +34,19 @@ PATIENCE_S = 30.0
 HISTORY = 500
 """Messages kept for this process, which may have to wait for the processor."""
 
+AGAIN_AND_AGAIN = 'contact at the same place again and again'
+"""Health of a tracker that waits for somebody who looks, and says go on."""
+
 REFUSED = (ResultCode.REJECTED, ResultCode.STALE)
 
 
 class Watched:
     """A live graph and what is heard from it; times are of the system clock [ns]."""
 
-    def __init__(self, graph: LiveGraph, guarded: bool) -> None:
+    def __init__(self, graph: LiveGraph, guarded: bool, attended: bool = False) -> None:
         self.graph = graph
+        self._attended = attended
+        self._reset = graph.node.create_client(Trigger, 'tracker/reset')
         self.pump = graph.pump if guarded else graph.pump.unguarded()
         self.pids = set(graph.pids.values())
         self.segments: list[Segment] = []
@@ -69,7 +75,14 @@ class Watched:
         return self.graph.node
 
     def until(self, condition: Callable[[], object], seconds: float = PATIENCE_S) -> None:
-        assert self.pump.until(condition, seconds), 'waited in vain'
+        assert self.pump.until(condition, seconds), f'waited in vain\n{self.story()}'
+
+    def story(self) -> str:
+        """Return what the graph did last, and how its nodes say they are."""
+        lines = [f'{r.code.name} {r.reason}'.strip() for r in self.results[-6:]]
+        said = {name: heard[-1][1] for name, heard in self.health.items() if heard}
+        lines += [f'{name}: {told.level.name} {told.message}' for name, told in said.items()]
+        return '\n'.join([f'{len(self.results)} results, at last:', *lines])
 
     def spin(self, seconds: float) -> None:
         self.pump.until(lambda: False, seconds)
@@ -141,22 +154,25 @@ class Watched:
     def _on_health(self, healths):
         for name, health in healths.items():
             self.health.setdefault(name.rpartition('/')[2], []).append((time.time_ns(), health))
+            if self._attended and health.message == AGAIN_AND_AGAIN:
+                self._reset.call_async(Trigger.Request())
 
 
 @contextmanager
 def watched_graph(
-    configuration: Configuration, restarts: Restarts | None = None
+    configuration: Configuration, restarts: Restarts | None = None, attended: bool = False
 ) -> Iterator[Watched]:
     """Bring up a graph; when it is down again, none of its processes may be left.
 
     Args:
         configuration: what the nodes are told.
         restarts: starts dead nodes anew while the graph is watched; None: nobody does.
+        attended: somebody resets a tracker that has touched the same place again and again.
 
     """
     with StopRequest() as stop, LiveGraph(configuration, stop, lambda _: None, restarts) as graph:
         folder = str(graph._files['planner'].parent)
-        watched = Watched(graph, guarded=restarts is not None)
+        watched = Watched(graph, restarts is not None, attended)
         graph.configure()
         graph.activate()
         watched.until(lambda: len(watched.done()) >= 2)
