@@ -15,6 +15,7 @@ from std_srvs.srv import Trigger
 import yaml
 
 from lwr_sim_bridge.fri.parameters import PatienceParameters
+from lwr_tracking.core.failsafe import RULES, Condition
 from srnn_bringup.config import FRI, Choices, Configuration, load
 from srnn_bringup.live_graph import LiveGraph
 from srnn_bringup.restarts import Restarts
@@ -34,8 +35,7 @@ PATIENCE_S = 30.0
 HISTORY = 500
 """Messages kept for this process, which may have to wait for the processor."""
 
-AGAIN_AND_AGAIN = 'contact at the same place again and again'
-"""Health of a tracker that waits for somebody who looks, and says go on."""
+REPEATED_CONTACT = RULES[Condition.REPEATED].cause
 
 REFUSED = (ResultCode.REJECTED, ResultCode.STALE)
 
@@ -43,10 +43,8 @@ REFUSED = (ResultCode.REJECTED, ResultCode.STALE)
 class Watched:
     """A live graph and what is heard from it; times are of the system clock [ns]."""
 
-    def __init__(self, graph: LiveGraph, guarded: bool, attended: bool = False) -> None:
+    def __init__(self, graph: LiveGraph, guarded: bool) -> None:
         self.graph = graph
-        self._attended = attended
-        self._reset = graph.node.create_client(Trigger, 'tracker/reset')
         self.pump = graph.pump if guarded else graph.pump.unguarded()
         self.pids = set(graph.pids.values())
         self.segments: list[Segment] = []
@@ -76,6 +74,10 @@ class Watched:
 
     def until(self, condition: Callable[[], object], seconds: float = PATIENCE_S) -> None:
         assert self.pump.until(condition, seconds), f'waited in vain\n{self.story()}'
+
+    def tracker_says(self, message: str) -> bool:
+        heard = self.health['tracker']
+        return bool(heard) and heard[-1][1].message == message
 
     def story(self) -> str:
         """Return what the graph did last, and how its nodes say they are."""
@@ -154,8 +156,6 @@ class Watched:
     def _on_health(self, healths):
         for name, health in healths.items():
             self.health.setdefault(name.rpartition('/')[2], []).append((time.time_ns(), health))
-            if self._attended and health.message == AGAIN_AND_AGAIN:
-                self._reset.call_async(Trigger.Request())
 
 
 @contextmanager
@@ -167,15 +167,21 @@ def watched_graph(
     Args:
         configuration: what the nodes are told.
         restarts: starts dead nodes anew while the graph is watched; None: nobody does.
-        attended: somebody resets a tracker that has touched the same place again and again.
+        attended: until it is under way, somebody resets a tracker that has touched the same
+            place again and again.
 
     """
     with StopRequest() as stop, LiveGraph(configuration, stop, lambda _: None, restarts) as graph:
         folder = str(graph._files['planner'].parent)
-        watched = Watched(graph, restarts is not None, attended)
+        watched = Watched(graph, guarded=restarts is not None)
         graph.configure()
         graph.activate()
-        watched.until(lambda: len(watched.done()) >= 2)
+        under_way = lambda: len(watched.done()) >= 2  # noqa: E731
+        if attended:
+            watched.until(lambda: under_way() or watched.tracker_says(REPEATED_CONTACT))
+            if not under_way():
+                assert watched.call(Trigger, 'tracker/reset').success
+        watched.until(under_way)
         yield watched
     left = [pid for pid in watched.pids if Path(f'/proc/{pid}').exists()]
     assert not left, f'processes {left} are left'

@@ -30,7 +30,7 @@ PATIENCE_S = 900.0
 
 @pytest.fixture
 def watched() -> Iterator[Watched]:
-    # The obstacle is near: before much is learned, the arm may touch it until it is looked after.
+    # The obstacle is near: with nothing learned, the arm may touch it until it is looked after.
     with watched_graph(CONFIGURATION, Restarts(), attended=True) as value:
         yield value
 

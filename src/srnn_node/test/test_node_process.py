@@ -14,15 +14,23 @@ SPEAKER = Path(__file__).parent / 'nodes' / 'speaker.py'
 FAREWELL = -1.0
 PATIENCE_S = 20.0
 
+WAITING_LONG = f"""
+import runpy
+from srnn_node import settling
+settling.FOUND_S = settling.LONGEST_S = 600.0
+runpy.run_path({str(SPEAKER)!r}, run_name='__main__')
+"""
+"""The speaker, and a place where somebody comes all the time."""
+
 
 @pytest.fixture
 def speaker() -> Iterator:
     started = []
 
-    def start(*parameters):
+    def start(*parameters, program=(SPEAKER,)):
         given = [word for item in parameters for word in ('-p', item)]
         process = subprocess.Popen(
-            [sys.executable, SPEAKER, '--ros-args', *given],
+            [sys.executable, *program, '--ros-args', *given],
             stderr=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
@@ -61,7 +69,7 @@ def test_a_signalled_node_says_farewell_and_exits_with_0(bench, heard, speaker, 
 
 
 def test_a_node_that_waits_to_be_found_can_be_stopped(bench, heard, speaker):
-    process = speaker('autostart:=true')
+    process = speaker('autostart:=true', program=('-c', WAITING_LONG))
     watcher = bench.client('watcher')
     topic = 'forward_position_controller/commands'
     bench.spin_until(lambda: watcher.count_publishers(topic))
