@@ -30,7 +30,7 @@ def test_compiled_is_plain_near_and_far_within_the_limits_and_beyond(distance, r
     for draw in np.linspace(0.0, 0.1, 100):
         command = reach * POSITION_MAX * rng.uniform(-1.0, 1.0, 7)
         target = KINEMATICS.tip(command) + distance * rng.uniform(-1.0, 1.0, 3)
-        arguments = command, target, DT, float(draw)
+        arguments = command, tuple(target.tolist()), DT, float(draw)
         compiled, plain = kernel.step(*arguments), reference.step(*arguments)
         np.testing.assert_allclose(compiled.command, plain.command, rtol=0.0, atol=1e-10)
         np.testing.assert_allclose(compiled[1:], plain[1:], rtol=0.0, atol=1e-7)
@@ -51,7 +51,7 @@ def test_limits_that_are_not_even_about_zero_are_kept_to_on_both_sides(module):
     rng, slowest = np.random.default_rng(3), 1.0
     for _ in range(10):
         command = rng.uniform(0.25, 0.85, 7)
-        target = KINEMATICS.tip(command) + rng.normal(size=3)
+        target = tuple((KINEMATICS.tip(command) + rng.normal(size=3)).tolist())
         for _ in range(300):
             step = law.step(command, target, DT, 0.0)
             command, slowest = step.command, min(slowest, step.outward)

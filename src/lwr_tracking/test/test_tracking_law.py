@@ -90,10 +90,10 @@ def test_no_time_no_motion():
 
 def test_the_correction_is_an_integral_with_a_bound():
     law = law_at()
-    error = np.array((0.001, -0.002, 0.0))
+    error = (0.001, -0.002, 0.0)
     for _ in range(10):
         law.correct(error, DT)
-    np.testing.assert_allclose(law.correction, LAW.integral_gain * 10 * DT * error)
+    np.testing.assert_allclose(law.correction, LAW.integral_gain * 10 * DT * np.array(error))
     for _ in range(100_000):
         law.correct(error, DT)
     np.testing.assert_allclose(law.correction, (0.008, -0.008, 0.0))

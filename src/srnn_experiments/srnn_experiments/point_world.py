@@ -53,7 +53,7 @@ class PointWorld:
         self._cycles = 0
         self._tip = np.array([*scene.start, 0.0])
         self._deviation = np.zeros(2)
-        self._execution = Execution(self._tip, self._parameters)
+        self._execution = Execution(self._tip.tolist(), self._parameters)
         self._last_stamp_ns: int | None = None
         self._finished: list[Finished] = []
         self.set_segment(0)
@@ -77,10 +77,10 @@ class PointWorld:
         """Advance by one cycle of 4 ms and return the segments that are over."""
         self._cycles += 1
         touched = self._move()
-        self._finished.extend(self._execution.advance(CYCLE, self._tip))
+        self._finished.extend(self._execution.advance(CYCLE, self._tip.tolist()))
         if touched:
             self._finished.extend(
-                self._execution.freeze(self._tip, ResultCode.BLOCKED, 'touched', {})
+                self._execution.freeze(self._tip.tolist(), ResultCode.BLOCKED, 'touched', {})
             )
         finished, self._finished = tuple(self._finished), []
         return finished

@@ -16,7 +16,7 @@ from srnn_msgs_py.journal import Deed, number
 from srnn_msgs_py.ros import executed, joints, result, segment
 from srnn_replay.errors import NotReplayableError
 from srnn_replay.inputs import Inputs
-from srnn_replay.joint_state_bytes import JointStateBytes, stamp_ns
+from srnn_replay.joint_state_bytes import JointStateBytes, Row, stamp_ns
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, Session, of_session
 from srnn_replay.verdict import Told, Verdict, said_in
@@ -36,9 +36,7 @@ class TrackerReplay:
         told = origin.tracker()
         self._kinematics = Kinematics(told.mount)
         self._recording = recording
-        self._reader = JointStateBytes(self._kinematics.joints)
-        self._measured = {stamp_ns(m.data): m for m in recording.raw(MEASURED)}
-        self._external = {stamp_ns(m.data): m for m in recording.raw(EXTERNAL)}
+        self._measured, self._external = (self._by_stamp(name) for name in (MEASURED, EXTERNAL))
         self._segments = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
         self._tracking = TrackingSession(told.tracking, self._kinematics)
         self._sample: JointSample | None = None
@@ -119,22 +117,30 @@ class TrackerReplay:
                 return False
         return True
 
+    def _by_stamp(self, name: str) -> dict[int, tuple[Message, Row | None]]:
+        """Return the joint states of a topic by their stamps, with their numbers if known."""
+        messages = self._recording.raw(name)
+        data = [message.data for message in messages]
+        rows = JointStateBytes(self._kinematics.joints).rows(data)
+        return dict(zip(map(stamp_ns, data), zip(messages, rows, strict=True), strict=True))
+
     def _joint_sample(self, stamp: int, external_stamp: int) -> JointSample:
         try:
-            measured, external = self._measured[stamp], self._external[external_stamp]
+            measured, own = self._measured[stamp]
+            external, others = self._external[external_stamp]
         except KeyError:
             raise NotReplayableError(
                 f'{NODE}: the bag lacks joint states {stamp}, which it has answered'
             ) from None
-        own, others = self._reader.arrays(measured.data), self._reader.arrays(external.data)
         if own is None or others is None:
             return joints.from_msgs(
                 self._recording.message(MEASURED, measured),
                 self._recording.message(EXTERNAL, external), self._kinematics.joints, MAX_LAG,
             )  # fmt: skip
         position, velocity, torque = own
-        lag_ns = external_stamp - stamp
-        return JointSample(stamp, position, velocity, torque, others[2], lag_ns)
+        return JointSample(
+            stamp, position, velocity, torque, others[2], external_stamp - stamp
+        )
 
     def _numbers(self, message: Message) -> Any:
         """Return the numbers of a command, which are the last of its message."""

@@ -6,6 +6,9 @@ import numba
 
 @numba.njit(cache=True)
 def add_bounded(total, change, share, limit):
-    """Add `share` of a change (n,) to a total (n,), in place and within +-`limit`."""
-    for i in range(total.shape[0]):
-        total[i] = max(min(total[i] + share * change[i], limit), -limit)
+    """Return a total (3 numbers) plus `share` of a change, each of them within +-`limit`."""
+    return (
+        max(min(total[0] + share * change[0], limit), -limit),
+        max(min(total[1] + share * change[1], limit), -limit),
+        max(min(total[2] + share * change[2], limit), -limit),
+    )

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Segments on their way: the reference, what the arm should show of it, the records."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
 
 from lwr_tracking.core.delay_line import DelayLine, Entry
 from lwr_tracking.core.parameters import TrackerParameters
@@ -15,8 +12,6 @@ from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.segment_gate import Admission
 from srnn_msgs_py.result import ResultCode, SegmentResult
 from srnn_msgs_py.segment import ExecutedPath
-
-Array = NDArray[np.float64]
 
 
 class Finished(NamedTuple):
@@ -34,14 +29,14 @@ class Execution:
 
     Attributes:
         reference: what is commanded now.
-        error: (3,) where the tip should be minus where it was last measured [m].
+        error: where the tip should be minus where it was last measured, x, y and z [m].
 
     """
 
-    def __init__(self, tip: Array, parameters: TrackerParameters) -> None:
-        """Hold the measured tip (3,) [m]."""
+    def __init__(self, tip: Sequence[float], parameters: TrackerParameters) -> None:
+        """Hold the measured tip (x, y, z) [m]."""
         self.reference = Reference(tip, parameters.limits)
-        self.error = np.zeros(3)
+        self.error = (0.0, 0.0, 0.0)
         self._delay = DelayLine(parameters.law.lead)
         self._delay.fill(self._entry())
         self._expected = self._entry()
@@ -61,8 +56,8 @@ class Execution:
             self._recorder = PathRecorder(admission.segment, self.reference.clock)
         return () if replaced is None else (dropped(replaced, Refusal.SUPERSEDED),)
 
-    def advance(self, dt: float, tip: Array) -> tuple[Finished, ...]:
-        """Move on by `dt` [s], compare with the measured tip (3,) [m], return what is over."""
+    def advance(self, dt: float, tip: Sequence[float]) -> tuple[Finished, ...]:
+        """Move on by `dt` [s], compare with the measured tip [m], return what is over."""
         ended = self.reference.advance(dt)
         if ended is not None and self._recorder is not None:
             self._ending.append(self._recorder)
@@ -71,7 +66,8 @@ class Execution:
             if following is not None:
                 self._recorder = PathRecorder(following.segment, end)
         self._expected = self._delay.push(dt, self._entry())
-        self.error = np.array(self._expected[:3]) - tip
+        (ex, ey, ez, _), (x, y, z) = self._expected, tip
+        self.error = (ex - x, ey - y, ez - z)
         self._record(tip)
         if not self._ending:
             return ()
@@ -80,9 +76,9 @@ class Execution:
         return finished
 
     def freeze(
-        self, tip: Array, code: ResultCode, reason: str, values: Mapping[str, float]
+        self, tip: Sequence[float], code: ResultCode, reason: str, values: Mapping[str, float]
     ) -> tuple[Finished, ...]:
-        """Hold the measured tip (3,) [m] at once; end what runs, drop what waits.
+        """Hold the measured tip (x, y, z) [m] at once; end what runs, drop what waits.
 
         Args:
             tip: measured tip; the height of the reference stays that of the plane.
@@ -108,7 +104,7 @@ class Execution:
         self._recorder, self._ending = None, []
         return tuple(finished)
 
-    def _record(self, tip: Array) -> None:
+    def _record(self, tip: Sequence[float]) -> None:
         x, y, clock = float(tip[0]), float(tip[1]), self._expected[3]
         for recorder in self._ending:
             recorder.add(clock, x, y)
@@ -116,8 +112,7 @@ class Execution:
             self._recorder.add(clock, x, y)
 
     def _entry(self) -> Entry:
-        x, y, z = self.reference.position.tolist()
-        return x, y, z, self.reference.clock
+        return (*self.reference.place, self.reference.clock)
 
 
 def dropped(admission: Admission, refusal: Refusal) -> Finished:

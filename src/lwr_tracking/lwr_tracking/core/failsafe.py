@@ -105,12 +105,14 @@ class Decision:
     Attributes:
         reaction: the strictest of all reactions.
         latched: the conditions that stay until a reset.
+        until_reset: there are some of these.
         causes: all conditions in words, the strictest first.
 
     """
 
     reaction: Reaction
     latched: Condition
+    until_reset: bool
     causes: tuple[str, ...]
 
 
@@ -134,4 +136,4 @@ def decide(conditions: Condition) -> Decision:
         if rule.latches:
             latched |= condition
     reaction = rules[0][1].reaction if rules else Reaction.NONE
-    return Decision(reaction, latched, tuple(rule.cause for _, rule in rules))
+    return Decision(reaction, latched, bool(latched), tuple(rule.cause for _, rule in rules))

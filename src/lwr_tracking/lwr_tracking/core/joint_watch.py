@@ -2,7 +2,7 @@
 """Whether a measurement can be true, judged by those before it."""
 
 from collections.abc import Iterable
-from math import isfinite
+from math import isfinite, isnan
 from operator import gt, lt, sub
 
 import numpy as np
@@ -21,6 +21,9 @@ _COASTED = 0.03
 """No joint goes on farther than this once commands have ceased [rad]."""
 
 
+Array = NDArray[np.float64]
+
+
 class JointWatch:
     """Looks at what joint states say, not at whether they come.
 
@@ -28,6 +31,13 @@ class JointWatch:
     is told to move, a stamp that stands still, angles that no arm can have got to. Refused
     angles are not remembered, so that an arm which seems to have jumped is not believed
     until it is back, or until `restart`.
+
+    Attributes:
+        position: (n,) the last angles that were believed [rad]; NaN before the first.
+        lowest: (n,) smallest angles that are believed [rad].
+        highest: (n,) largest angles that are believed [rad].
+        surely: farthest that any joint may have moved, however soon it is measured again [rad].
+
     """
 
     def __init__(self, parameters: WatchParameters, limits: JointLimits, period: float) -> None:
@@ -42,20 +52,24 @@ class JointWatch:
         self._parameters = parameters
         self._period = period
         self._reach = (_JUMP * limits.velocity_max).tolist()
-        self._surely = min(self._reach) * period
-        tolerance = parameters.position_tolerance
-        self._lowest = (limits.position_min - tolerance).tolist()
-        self._highest = (limits.position_max + tolerance).tolist()
+        self.surely = min(self._reach) * period
+        self.lowest = limits.position_min - parameters.position_tolerance
+        self.highest = limits.position_max + parameters.position_tolerance
         self.restart()
 
     def restart(self) -> None:
         """Believe the next measurement that is possible at all."""
-        self._position: list[float] | None = None
+        self.position = np.full(len(self._reach), np.nan)
         self._stamp_ns = 0
         self._repeats = 0
-        self._told: list[float] | None = None
+        self._told: Array | None = None
 
-    def judge(self, sample: JointSample, command: NDArray[np.float64] | None) -> Condition:
+    def believe(self, sample: JointSample, command: Array | None) -> None:
+        """Take in a measurement that is true; see `judge`."""
+        self.position = np.array(sample.position, dtype=np.float64)
+        self._stamp_ns, self._repeats, self._told = sample.stamp_ns, 0, command
+
+    def judge(self, sample: JointSample, command: Array | None) -> Condition:
         """Return what is wrong with a measurement, `Condition.NONE` if nothing is.
 
         Args:
@@ -65,22 +79,26 @@ class JointWatch:
         """
         if not _usable(sample, len(self._reach)):
             return Condition.BAD_SAMPLE
-        position = sample.position.tolist()
-        if _exceeds(position, self._highest) or any(map(lt, position, self._lowest)):
+        position, before = sample.position.tolist(), self.position.tolist()
+        if _exceeds(position, self.highest) or any(map(lt, position, self.lowest)):
             return Condition.OUT_OF_RANGE
-        if self._position is None:
-            self._remember(position, sample.stamp_ns, command)
+        if isnan(before[0]):
+            self.believe(sample, command)
             return Condition.NONE
-        if position == self._position or sample.stamp_ns == self._stamp_ns:
+        if position == before or sample.stamp_ns == self._stamp_ns:
             return self._repeated(sample.stamp_ns, command)
-        moved = [*map(abs, map(sub, position, self._position))]
-        if max(moved) > self._surely and self._too_far(moved, sample.stamp_ns):
+        moved = [*map(abs, map(sub, position, before))]
+        if max(moved) > self.surely and self._too_far(moved, sample.stamp_ns):
             self._stamp_ns = sample.stamp_ns
             return Condition.JUMPED
-        self._remember(position, sample.stamp_ns, command)
+        self.believe(sample, command)
         return Condition.NONE
 
-    def _repeated(self, stamp_ns: int, command: NDArray[np.float64] | None) -> Condition:
+    def is_new(self, stamp_ns: int) -> bool:
+        """Tell whether a stamp [ns] is another one than that of the last measurement."""
+        return stamp_ns != self._stamp_ns
+
+    def _repeated(self, stamp_ns: int, command: Array | None) -> Condition:
         """Count a measurement that says what the last one said."""
         same_stamp = stamp_ns == self._stamp_ns
         self._stamp_ns = stamp_ns
@@ -89,11 +107,10 @@ class JointWatch:
         self._repeats += 1
         return Condition.FROZEN if self._repeats >= self._parameters.repeats else Condition.NONE
 
-    def _told_to_move(self, command: NDArray[np.float64] | None) -> bool:
+    def _told_to_move(self, command: Array | None) -> bool:
         if command is None or self._told is None:
             return False
-        moved = map(abs, map(sub, command.tolist(), self._told))
-        return bool(max(moved) > self._parameters.motion)
+        return bool(np.abs(command - self._told).max() > self._parameters.motion)
 
     def _too_far(self, moved: list[float], stamp_ns: int) -> bool:
         # Bounded on both sides: the system clock, from which stamps are, may be set.
@@ -104,12 +121,6 @@ class JointWatch:
         seconds = min(elapsed, self._parameters.gap)
         return _exceeds(moved, [speed * seconds for speed in self._reach])
 
-    def _remember(
-        self, position: list[float], stamp_ns: int, command: NDArray[np.float64] | None
-    ) -> None:
-        self._position, self._stamp_ns, self._repeats = position, stamp_ns, 0
-        self._told = None if command is None else command.tolist()
-
 
 def _exceeds(values: Iterable[float], limits: Iterable[float]) -> bool:
     # A few floats one by one are compared faster than as an array.
@@ -118,8 +129,8 @@ def _exceeds(values: Iterable[float], limits: Iterable[float]) -> bool:
 
 def _usable(sample: JointSample, joints: int) -> bool:
     """Tell whether all that the tracker reads is finite and has one element per joint."""
-    position, torque = sample.position, sample.external_torque
+    position, torque, shape = sample.position, sample.external_torque, (joints,)
     # A sum is finite exactly when its terms are; a huge term counts as not finite.
-    return position.shape == torque.shape == (joints,) and isfinite(
+    return position.shape == torque.shape == sample.torque.shape == shape and isfinite(
         sum(position.tolist()) + sum(torque.tolist())
     )

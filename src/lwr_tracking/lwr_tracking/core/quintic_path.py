@@ -76,15 +76,16 @@ class QuinticPath:
         self._knots: list[float] = times.tolist()
         self._step = step
         self._coefficients = _coefficients(step[:, None], positions, velocities, accelerations)
-        self._rows: list[list[list[float]]] = self._coefficients.tolist()
+        self._rows: list[list[float]] = self._coefficients.reshape(knots - 1, -1).tolist()
 
     def state(self, time: float) -> PathState:
         """Return the point at a path time [s], held before the start and after the end."""
-        time = min(max(time, 0.0), self.duration)
+        if not 0.0 <= time <= self.duration:
+            time = 0.0 if time < 0.0 else self.duration
         i = min(bisect_right(self._knots, time), len(self._rows)) - 1
         h = self._knots[i + 1] - self._knots[i]
         u = (time - self._knots[i]) / h
-        (a0, b0), (a1, b1), (a2, b2), (a3, b3), (a4, b4), (a5, b5) = self._rows[i]
+        a0, b0, a1, b1, a2, b2, a3, b3, a4, b4, a5, b5 = self._rows[i]
         return PathState(
             a0 + u * (a1 + u * (a2 + u * (a3 + u * (a4 + u * a5)))),
             b0 + u * (b1 + u * (b2 + u * (b3 + u * (b4 + u * b5)))),

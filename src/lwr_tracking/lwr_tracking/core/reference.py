@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The reference of the tip: a chain of accepted segments, or a point held at rest."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,30 +23,40 @@ class Reference:
         running: the segment being executed, None while a point is held.
         waiting: the segment that continues it, None if there is none.
         clock: path time run through since the start, all segments together [s].
-        position: (3,) [m] in `srnn_workspace`.
-        velocity: (3,) [m/s].
+        place: x, y and z in `srnn_workspace` [m].
         paused: brake along the path and stand still.
         pace: share of its speed that the arm can follow now, 0 to 1.
         soft_stops: segments that ended in a soft stop because nothing continued them.
 
     """
 
-    def __init__(self, position: Array, limits: LimitParameters) -> None:
-        """Hold a point of the plane; approach height 0 gently from `position[2]`."""
+    def __init__(self, place: Sequence[float], limits: LimitParameters) -> None:
+        """Hold a point (x, y, z) [m] in the plane; approach height 0 gently from its z."""
         self.running: Admission | None = None
         self.waiting: Admission | None = None
         self.clock = 0.0
         self.paused = False
         self.pace = 1.0
         self.soft_stops = 0
-        self.position = np.array(position)
-        self.velocity = np.zeros(3)
-        self._state = PathState(float(position[0]), float(position[1]))
+        x, y, z = map(float, place)
+        self.place = (x, y, z)
+        self._state = PathState(x, y)
         self._limits = limits
         self._time: PathTime | None = None
-        self._height = float(position[2])
+        self._height = z
+        self._rise = 0.0
         self._height_time = 0.0
         self._height_span = _PEAK * abs(self._height) / limits.height_speed
+
+    @property
+    def position(self) -> Array:
+        """Return the point (3,) in `srnn_workspace` [m]."""
+        return np.array(self.place)
+
+    @property
+    def velocity(self) -> Array:
+        """Return how fast it moves, (3,) [m/s]."""
+        return np.array((self._state.vx, self._state.vy, self._rise))
 
     @property
     def at_rest(self) -> bool:
@@ -71,9 +83,8 @@ class Reference:
     def advance(self, dt: float) -> Admission | None:
         """Move on by `dt` [s]; return the segment that came to its end, if one did."""
         ended = self._advance_path(self.pace * dt)
-        self._advance_height(self.pace * dt)
-        self.position[0], self.position[1] = self._state.x, self._state.y
-        self.velocity[0], self.velocity[1] = self._state.vx, self._state.vy
+        x, y, _, _ = self._state
+        self.place = (x, y, self._advance_height(self.pace * dt))
         return ended
 
     def halt(self) -> None:
@@ -86,8 +97,7 @@ class Reference:
         dropped = self.running, self.waiting
         self.running = self.waiting = self._time = None
         self._state = PathState(x, y)
-        self.position[0], self.position[1] = x, y
-        self.velocity[:2] = 0.0
+        self.place = (x, y, self.place[2])
         return dropped
 
     def _advance_path(self, dt: float) -> Admission | None:
@@ -124,14 +134,16 @@ class Reference:
 
     def _scaled(self, admission: Admission, time: PathTime) -> PathState:
         state = admission.path.state(time.value)
+        if time.rate == 1.0:
+            return state
         return PathState(state.x, state.y, time.rate * state.vx, time.rate * state.vy)
 
-    def _advance_height(self, dt: float) -> None:
-        """Bring the height to 0 along a minimum-jerk curve."""
+    def _advance_height(self, dt: float) -> float:
+        """Bring the height to 0 along a minimum-jerk curve; return it [m]."""
         if self._height_time >= self._height_span:
-            self.position[2] = self.velocity[2] = 0.0
-            return
+            self._rise = 0.0
+            return 0.0
         self._height_time = min(self._height_time + dt, self._height_span)
         u = self._height_time / self._height_span
-        self.position[2] = self._height * (1.0 - u**3 * (10.0 - 15.0 * u + 6.0 * u * u))
-        self.velocity[2] = -self._height * 30.0 * u * u * (1.0 - u) ** 2 / self._height_span
+        self._rise = -self._height * 30.0 * u * u * (1.0 - u) ** 2 / self._height_span
+        return self._height * (1.0 - u**3 * (10.0 - 15.0 * u + 6.0 * u * u))

@@ -10,6 +10,7 @@ from lwr_description import Kinematics
 from lwr_tracking.core.spd_solve import solve_spd3
 
 Array = NDArray[np.float64]
+Point = tuple[float, float, float]
 
 NEGLIGIBLE = 1e-3
 """A joint slower than this share of its speed limit does not count as moving."""
@@ -67,12 +68,12 @@ class ResolvedRate:
         self._kinematics = kinematics
         self._bounds = bounds
 
-    def step(self, command: Array, target: Array, dt: float, draw: float) -> Step:
+    def step(self, command: Array, target: Point, dt: float, draw: float) -> Step:
         """Return the command whose tip is nearest to the target after `dt`.
 
         Args:
             command: (n,) last command [rad].
-            target: (3,) where the tip should be [m].
+            target: where the tip should be, x, y and z [m].
             dt: time since the last command [s].
             draw: share of the way home that the joints go if the tip allows.
 

@@ -10,7 +10,7 @@ from lwr_description.compiled import compiled
 from lwr_description.kinematics_kernel import jacobian_at
 from lwr_tracking.core.manipulability import smallest_singular_value
 from lwr_tracking.core.products import gram, times
-from lwr_tracking.core.resolved_rate import NEGLIGIBLE, Bounds, Step
+from lwr_tracking.core.resolved_rate import NEGLIGIBLE, Bounds, Point, Step
 from lwr_tracking.core.spd_solve import solve_spd3
 
 Array = NDArray[np.float64]
@@ -27,9 +27,9 @@ class ResolvedRate:
             kinematics.home, bounds,
         )  # fmt: skip
         command = np.zeros(len(kinematics.home))
-        self._compiled = compiled(_step, *self._arm, command, np.zeros(3), 0.0, 0.0)
+        self._compiled = compiled(_step, *self._arm, command, (0.0, 0.0, 0.0), 0.0, 0.0)
 
-    def step(self, command: Array, target: Array, dt: float, draw: float) -> Step:
+    def step(self, command: Array, target: Point, dt: float, draw: float) -> Step:
         """See `resolved_rate.ResolvedRate`."""
         return Step(*self._compiled(*self._arm, command, target, dt, draw))
 

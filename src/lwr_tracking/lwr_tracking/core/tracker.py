@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The tracker: segments and measurements in, joint commands and results out."""
 
-from math import isfinite
+from math import isfinite, nan
 from typing import NamedTuple
 
 import numpy as np
@@ -13,16 +13,16 @@ from lwr_tracking.core.counters import Counters
 from lwr_tracking.core.errors import ClockError
 from lwr_tracking.core.execution import Execution, Finished
 from lwr_tracking.core.failsafe import Condition, Reaction, decide
-from lwr_tracking.core.joint_watch import JointWatch
+from lwr_tracking.core.first_look import Point
 from lwr_tracking.core.load_check import LoadCheck
 from lwr_tracking.core.motion_watch import MotionWatch
 from lwr_tracking.core.parameters import TrackerParameters
+from lwr_tracking.core.perception import Perception
 from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.repeated_stops import RepeatedStops
 from lwr_tracking.core.segment_gate import Admission, Join, judge
 from lwr_tracking.core.tick_watch import AT_REST_AFTER, TickWatch
-from lwr_tracking.core.tip_estimate_kernel import TipEstimate
 from lwr_tracking.core.tracking_law import TrackingLaw
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.result import ResultCode, SegmentResult
@@ -53,7 +53,6 @@ class Tracker:
     contact error gives way: it holds where it was pushed to.
 
     Attributes:
-        tip: (3,) last measured tip in `srnn_workspace` [m].
         conditions: what is wrong, or asked for, now.
         counters: what happened so far.
 
@@ -61,11 +60,11 @@ class Tracker:
 
     def __init__(self, parameters: TrackerParameters, kinematics: Kinematics) -> None:
         """Wait for the first measurement."""
-        self.tip: Array = np.full(3, np.nan)
         self.conditions = Condition.NOT_STARTED
         self.counters = Counters()
-        self._parameters, self._limits = parameters, kinematics.limits
-        self._estimate = TipEstimate(kinematics)
+        self._parameters = parameters
+        self._perception = Perception(parameters, kinematics)
+        self._tip: Point = (nan, nan, nan)
         self._law = TrackingLaw(parameters.law, parameters.limits, kinematics)
         self._ticks = TickWatch(parameters.period)
         self._last_stamp_ns: int | None = None
@@ -76,12 +75,17 @@ class Tracker:
         """Know nothing of the arm yet."""
         parameters = self._parameters
         self._contact = ContactObserver(parameters.contact)
-        self._watch = JointWatch(parameters.watch, self._limits, parameters.period)
-        self._motion = MotionWatch(parameters.limits, self._limits.torque_max)
+        self._perception.restart()
+        self._motion = MotionWatch(parameters.limits)
         self._stops = RepeatedStops(parameters.contact)
         self._load: LoadCheck | None = LoadCheck(parameters.contact.rearm_force)
         self._execution: Execution | None = None
         self._now: float | None = None
+
+    @property
+    def tip(self) -> Array:
+        """Return the last measured tip (3,) in `srnn_workspace` [m]; NaN before the first."""
+        return np.array(self._tip)
 
     @property
     def reference(self) -> Reference | None:
@@ -96,12 +100,12 @@ class Tracker:
     @property
     def correction(self) -> Array:
         """Return the integral correction of the commanded tip (3,) [m]."""
-        return self._law.correction.copy()
+        return np.array(self._law.correction)
 
     @property
     def latched(self) -> bool:
         """Tell whether the arm is frozen until `reset`."""
-        return bool(decide(self.conditions).latched)
+        return decide(self.conditions).until_reset
 
     def offer(self, segment: Segment, age_s: float) -> SegmentResult | None:
         """Ask for a segment to be executed after what runs now.
@@ -140,19 +144,20 @@ class Tracker:
         elapsed = self._elapsed(now)
         self._keep_time(elapsed)
         dt = min(elapsed, self._parameters.limits.max_step)
-        wrong = self._watch.judge(sample, None if self._execution is None else self._law.command)
-        if wrong:
+        law, started = self._law, self._execution is not None
+        wrong, strained, tip, force = self._perception.take(sample, law.command, started)
+        if wrong is not Condition.NONE and wrong is not Condition.DIVERGED:
             self._distrust(wrong)
             return self._answer()
-        self.tip, force = self._estimate.measure(sample.position, sample.external_torque)
+        self._tip = tip
         execution = self._execution or self._start(sample)
-        if self._diverged(sample):
-            self._fault(Condition.DIVERGED)
-            self._law.follow(sample.position, dt)
+        if wrong is Condition.DIVERGED:
+            self._fault(wrong)
+            law.follow(sample.position, dt)
             return self._answer()
         self._advance(execution, now, dt, force)
-        self._law.step(execution.reference.position, dt, settle=not self.latched)
-        hindrance = self._motion.judge(dt, self._law.freedom, sample, execution.running)
+        law.step(execution.reference.place, dt, settle=not self.latched)
+        hindrance = self._motion.judge(dt, law.freedom, strained, execution.running)
         # Once only: a point that is held must not wander with the arm.
         if hindrance is not Condition.NONE and hindrance & ~self.conditions:
             self._fault(hindrance)
@@ -223,31 +228,26 @@ class Tracker:
     def _start(self, sample: JointSample) -> Execution:
         """Hold the arm exactly where it is."""
         self._law.start(sample.position)
-        self._execution = Execution(self.tip, self._parameters)
+        self._execution = Execution(self._tip, self._parameters)
         self.conditions &= ~Condition.NOT_STARTED
         return self._execution
 
-    def _diverged(self, sample: JointSample) -> bool:
-        distance: list[float] = (self._law.command - sample.position).tolist()
-        return max(map(abs, distance)) > self._parameters.limits.joint_divergence
-
-    def _advance(self, execution: Execution, now: float, dt: float, force: Array) -> None:
+    def _advance(self, execution: Execution, now: float, dt: float, force: Point) -> None:
         decision, freedom = decide(self.conditions), self._law.freedom
         execution.reference.paused = decision.reaction >= Reaction.SOFT_STOP
         execution.reference.pace = min(freedom.outward, freedom.dexterity, self._ticks.pace)
         stops_before = execution.reference.soft_stops
-        self._finish(execution.advance(dt, self.tip))
+        self._finish(execution.advance(dt, self._tip))
         self.counters.soft_stops += execution.reference.soft_stops - stops_before
-        fx, fy, _ = force.tolist()
-        ex, ey, _ = execution.error.tolist()
+        (fx, fy, _), (ex, ey, _) = force, execution.error
         touch = self._contact.update(fx, fy, ex, ey)
         if self._load is not None:
             self._set(Condition.LOADED, self._load.loaded(self._contact.force))
         running = execution.running
-        self._stops.moved(self.tip)
+        self._stops.moved(self._tip)
         if touch is Touch.ERROR or (touch is Touch.FORCE and running):
             self._touch(touch, running, now)
-        elif not self._contact.loaded and not decision.latched:
+        elif not self._contact.loaded and not decision.until_reset:
             # Under load the integral would only wind up against the obstacle.
             self._law.correct(execution.error, dt)
 
@@ -255,9 +255,9 @@ class Tracker:
         self.counters.contacts += running
         self.counters.yields += not running
         values = {'force_n': self._contact.force, 'error_m': self._contact.error}
-        self._react(Condition.CONTACT, ResultCode.BLOCKED, touch.value, values, self.tip)
+        self._react(Condition.CONTACT, ResultCode.BLOCKED, touch.value, values, self._tip)
         self._contact.disarm()
-        if running and self._stops.stop(now, self.tip):
+        if running and self._stops.stop(now, self._tip):
             self._fault(Condition.REPEATED)
 
     def _set(self, condition: Condition, there: bool) -> None:
@@ -265,9 +265,9 @@ class Tracker:
         if there != (condition in self.conditions):
             self.conditions ^= condition
 
-    def _fault(self, condition: Condition, at: Array | None = None) -> None:
+    def _fault(self, condition: Condition, at: Point | None = None) -> None:
         self.counters.faults += condition not in self.conditions
-        place = self.tip if at is None else at
+        place = self._tip if at is None else at
         self._react(condition, ResultCode.FAULT, decide(condition).causes[0], {}, place)
 
     def _distrust(self, condition: Condition) -> None:
@@ -280,9 +280,9 @@ class Tracker:
         code: ResultCode,
         reason: str,
         values: dict[str, float],
-        at: Array,
+        at: Point,
     ) -> None:
-        """Do what the fail-safe says about a new condition; `at` (3,) [m] is where to hold."""
+        """Do what the fail-safe says about a new condition; `at` [m] is where to hold."""
         decision = decide(self.conditions | condition)
         self.conditions |= decision.latched
         if self._execution is None or decision.reaction is not Reaction.FREEZE:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Joint commands whose forward kinematics follow the reference."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +14,9 @@ from lwr_tracking.core.resolved_rate import Bounds, Step
 from lwr_tracking.core.resolved_rate_kernel import ResolvedRate
 
 Array = NDArray[np.float64]
+Point = tuple[float, float, float]
+
+_NONE: Point = (0.0, 0.0, 0.0)
 
 
 class TrackingLaw:
@@ -24,7 +29,7 @@ class TrackingLaw:
 
     Attributes:
         command: (n,) last commanded joint angles [rad].
-        correction: (3,) integral correction of the commanded tip [m].
+        correction: integral correction of the commanded tip, x, y and z [m].
         freedom: how free the last command was; what it holds of a command is `command`.
 
     """
@@ -34,7 +39,7 @@ class TrackingLaw:
     ) -> None:
         """Command the home posture until `start` is called."""
         self.command = np.array(kinematics.home)
-        self.correction = np.zeros(3)
+        self.correction = _NONE
         self.freedom = Step(self.command, 1.0, 1.0, False)
         self._law = law
         joints = kinematics.limits
@@ -52,38 +57,43 @@ class TrackingLaw:
         )
         self._kinematics = kinematics
         self._inverse = ResolvedRate(kinematics, bounds)
-        self._add = compiled(add_bounded, np.zeros(3), np.zeros(3), 0.0, 0.0)
+        self._add = compiled(add_bounded, _NONE, _NONE, 0.0, 0.0)
 
     @property
-    def held(self) -> Array:
-        """Return the target (3,) [m] that asks for no motion beyond the last command."""
-        return self._kinematics.tip(self.command) - self.correction
+    def held(self) -> Point:
+        """Return the target (x, y, z) [m] that asks for no motion beyond the last command."""
+        x, y, z = (self._kinematics.tip(self.command) - self.correction).tolist()
+        return x, y, z
 
     def start(self, position: Array) -> None:
         """Command the measured joint angles (n,) [rad], without correction."""
         self.command = np.array(position, dtype=np.float64)
-        self.correction = np.zeros(3)
+        self.correction = _NONE
 
     def follow(self, position: Array, dt: float) -> None:
         """Let the command approach the measured joint angles (n,) [rad] within `dt` [s]."""
         reach = self._velocity_max * dt
         self.command = self.command + np.clip(position - self.command, -reach, reach)
 
-    def correct(self, error: Array, dt: float) -> None:
-        """Integrate where the tip should be minus where it is, (3,) [m], over `dt` [s]."""
+    def correct(self, error: Point, dt: float) -> None:
+        """Integrate where the tip should be minus where it is (x, y, z) [m], over `dt` [s]."""
         law = self._law
-        self._add(self.correction, error, law.integral_gain * dt, law.integral_limit)
+        self.correction = self._add(
+            self.correction, error, law.integral_gain * dt, law.integral_limit
+        )
 
-    def step(self, target: Array, dt: float, settle: bool = True) -> Array:
+    def step(self, target: Sequence[float], dt: float, settle: bool = True) -> Array:
         """Return the command (n,) [rad] whose tip is nearest to the target after `dt`.
 
         Args:
-            target: (3,) reference of the tip [m].
+            target: reference of the tip, x, y and z [m].
             dt: time since the last command [s].
             settle: draw the joints home as well.
 
         """
         draw = self._law.posture_gain * dt if settle else 0.0
-        self.freedom = self._inverse.step(self.command, target + self.correction, dt, draw)
+        (x, y, z), (cx, cy, cz) = target, self.correction
+        wanted = (x + cx, y + cy, z + cz)
+        self.freedom = self._inverse.step(self.command, wanted, dt, draw)
         self.command = self.freedom.command
         return self.command

@@ -65,7 +65,7 @@ class TrackingSession:
         if tick.command is None:
             return tick
         # Whoever reports again after a silence may be another arm: it is told nothing yet.
-        if Condition.SILENT in self.tracker.conditions:
+        if self.tracker.latched and Condition.SILENT in self.tracker.conditions:
             return tick._replace(command=None)
         self._sent.append(tick.command)
         return tick

@@ -154,7 +154,7 @@ class TouchFinder:
     def _tips(self, begin: int, end: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
         """Return stamps (n,) and measured tips (n, 3) of the joint states in some time."""
         places = slice(*np.searchsorted(self._stamps, (begin, end + 1)))
-        angles = [self._reader.arrays(m.data) for m in self._measured[places]]
+        angles = self._reader.rows([m.data for m in self._measured[places]])
         known = [i for i, one in enumerate(angles) if one is not None]
         tips = [self._kinematics.tip(one[0]) for one in angles if one is not None]
         return self._stamps[places][known], np.array(tips, dtype=np.float64).reshape(-1, 3)
