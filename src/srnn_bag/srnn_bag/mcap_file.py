@@ -18,7 +18,7 @@ from mcap.data_stream import ReadDataStream
 from mcap.exceptions import EndOfFile
 from mcap.opcode import Opcode
 from mcap.reader import SeekingReader
-from mcap.records import Attachment, Channel, Chunk, Schema
+from mcap.records import Attachment, Channel, Chunk, ChunkIndex, Schema
 from mcap.records import Message as McapMessage
 from mcap.stream_reader import StreamReader
 import zstandard
@@ -82,7 +82,7 @@ class McapFile:
         self.attachments: dict[str, bytes] = {}
         self._types: dict[int, str] = {}
         self._names: dict[int, str] = {}
-        self._chunks: tuple[int, ...] = ()
+        self._chunks: tuple[ChunkIndex, ...] = ()
         with self._reading():
             self.complete = self._summary()
             if not self._chunks:
@@ -100,7 +100,7 @@ class McapFile:
             if topics is None or name in topics
         }  # fmt: skip
         with self._reading():
-            for record in self._chunks_at() if self._chunks else self._scan():
+            for record in self._chunks_with(wanted) if self._chunks else self._scan():
                 if isinstance(record, Chunk):
                     yield from _messages(self._unpack(record), wanted)
                 elif record.channel_id in wanted:
@@ -108,6 +108,18 @@ class McapFile:
                         wanted[record.channel_id], record.log_time, record.publish_time,
                         record.sequence, record.data,
                     )  # fmt: skip
+
+    def heard(self, topics: Collection[str]) -> set[str]:
+        """Return which of some topics have messages.
+
+        Raises:
+            BagFormatError: a part of the file is damaged.
+
+        """
+        if self._chunks and all(chunk.message_index_offsets for chunk in self._chunks):
+            numbers = {n for chunk in self._chunks for n in chunk.message_index_offsets}
+            return {self._names[number] for number in numbers} & {*topics}
+        return {message.topic for message in self.messages(topics)}
 
     def _summary(self) -> bool:
         """Learn from the end of the file what is in it; False if it has no end."""
@@ -125,13 +137,20 @@ class McapFile:
                 self._add(record)
             for attachment in reader.iter_attachments():
                 self._add(attachment)
-            self._chunks = tuple(sorted(i.chunk_start_offset for i in summary.chunk_indexes))
+            self._chunks = tuple(
+                sorted(summary.chunk_indexes, key=lambda index: index.chunk_start_offset)
+            )
             return True
 
-    def _chunks_at(self) -> Iterator[Chunk]:
+    def _chunks_with(self, channels: Collection[int]) -> Iterator[Chunk]:
+        """Return the chunks that may have messages of some channels."""
         with self.path.open('rb') as stream:
-            for offset in self._chunks:
-                stream.seek(offset + _OPENING)
+            for index in self._chunks:
+                # Not every writer says what is in its chunks.
+                held = index.message_index_offsets.keys()
+                if held and held.isdisjoint(channels):
+                    continue
+                stream.seek(index.chunk_start_offset + _OPENING)
                 yield Chunk.read(ReadDataStream(stream))
 
     def _survey(self) -> None:
@@ -206,18 +225,22 @@ def _records(data: bytes) -> Iterator[tuple[int, int, int]]:
         yield opcode, start, position
 
 
-def _messages(data: bytes, wanted: Mapping[int, str]) -> Iterator[Message]:
+def _messages(data: bytes, wanted: Mapping[int, str]) -> list[Message]:
     # Hundreds of thousands go through here: one call for each of them is one too many.
+    found: list[Message] = []
     position, size = 0, len(data)
-    opening, head, begin = _RECORD.unpack_from, _MESSAGE.unpack_from, _MESSAGE.size
+    opening, head, begin = _RECORD.unpack_from, _MESSAGE.unpack_from, _OPENING + _MESSAGE.size
+    add, new, topic_of = found.append, tuple.__new__, wanted.get
     while position < size:
         opcode, length = opening(data, position)
-        start = position + _OPENING
-        position = start + length
+        start = position
+        position += _OPENING + length
         if position > size:
             raise ValueError(_TOO_LONG)
         if opcode == _MESSAGE_OPCODE:
-            channel, sequence, received_ns, sent_ns = head(data, start)
-            if channel in wanted:
+            channel, sequence, received_ns, sent_ns = head(data, start + _OPENING)
+            topic = topic_of(channel)
+            if topic is not None:
                 content = data[start + begin : position]
-                yield Message(wanted[channel], received_ns, sent_ns, sequence, content)
+                add(new(Message, (topic, received_ns, sent_ns, sequence, content)))
+    return found

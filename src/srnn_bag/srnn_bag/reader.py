@@ -3,6 +3,7 @@
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 import re
 from typing import Any
@@ -51,8 +52,16 @@ class Bag:
             BagFormatError: a part of the bag is damaged.
 
         """
-        for file in self.files:
-            yield from file.messages(topics)
+        return chain.from_iterable(file.messages(topics) for file in self.files)
+
+    def heard(self, topics: Collection[str]) -> set[str]:
+        """Return which of some topics have messages.
+
+        Raises:
+            BagFormatError: a part of the bag is damaged.
+
+        """
+        return {topic for file in self.files for topic in file.heard(topics)}
 
 
 def open_bag(path: Path) -> Bag:

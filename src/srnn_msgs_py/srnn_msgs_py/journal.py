@@ -120,6 +120,12 @@ def bits(value: float) -> int:
     return whole
 
 
+def numbers(column: NDArray[np.int64]) -> list[float]:
+    """Return the numbers with these bits, (n,)."""
+    values: list[float] = np.ascontiguousarray(column).view(np.float64).tolist()
+    return values
+
+
 def number(whole: int) -> float:
     """Return the number with these bits."""
     value: float

@@ -15,7 +15,7 @@ from rclpy.serialization import deserialize_message
 from srnn_bag import Bag, Message
 from srnn_bag.attached import REMAPPED
 from srnn_msgs_py.errors import MessageError
-from srnn_msgs_py.journal import Deed
+from srnn_msgs_py.journal import COLUMNS, Deed, numbers
 from srnn_msgs_py.ros import journal
 from srnn_msgs_py.ros.mark_carrier import mark_carrier
 from srnn_msgs_py.ros.message_type import message_type
@@ -39,6 +39,11 @@ class Session:
     began_ns: int
     rows: NDArray[np.int64]
     until_ns: int
+
+    @property
+    def times(self) -> list[float]:
+        """Return when each row was, (n,) as its deed says."""
+        return numbers(self.rows[:, COLUMNS.index('time')])
 
     def has(self, message: Message) -> bool:
         """Tell whether a message was sent in the time of the process."""
@@ -72,8 +77,9 @@ class Recording:
         full = {name: prefix + name for name in (*topics, f'{node}/journal')}
         self._names = {name: remapped.get(own, own) for name, own in full.items()}
         self._messages: dict[str, list[Message]] = {name: [] for name in self._names.values()}
-        for message in bag.messages(self._messages.keys()):
-            self._messages[message.topic].append(message)
+        kept = self._messages
+        for message in bag.messages(kept.keys()):
+            kept[message[0]].append(message)
         self.sessions = _sessions(node, self.decoded(f'{node}/journal', journal.from_msg))
 
     def raw(self, name: str) -> list[Message]:
@@ -142,7 +148,7 @@ def journals(bag: Bag) -> list[tuple[str, str]]:
         for name in bag.topics for end, node in ends.items() if name.endswith(end)
     }  # fmt: skip
     # A recorder listens to the topics of all nodes, whichever there are.
-    found = {message.topic for message in bag.messages(places.keys())}
+    found = bag.heard(places.keys())
     if not found:
         raise NotReplayableError(f'{bag.path}: has no journals of nodes to replay')
     return sorted(places[name] for name in found)

@@ -99,25 +99,27 @@ def replay(
     bag = open_bag(path)
     note = RunOrigin(bag).check_version()
     tasks = [
-        (path, node, prefix, told or {})
+        (bag, node, prefix, told or {})
         for prefix, node in sorted(journals(bag), key=lambda one: [*KINDS].index(one[1]))
     ]
     context = multiprocessing.get_context('fork')
     with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
         verdicts = []
         coming = pool.map(_verdict, *zip(*tasks, strict=True))
+        span = pool.submit(_span_s, bag)
         # Only now: who watches may start a thread, and the pool has forked.
         watch(0, len(tasks))
         for verdict in coming:
             verdicts.append(verdict)
             watch(len(verdicts), len(tasks))
-    return Replay(tuple(verdicts), _span_s(bag), time.perf_counter() - began, note)
+        run_s = span.result()
+    return Replay(tuple(verdicts), run_s, time.perf_counter() - began, note)
 
 
-def _verdict(path: Path, node: str, prefix: str, told: Mapping[str, bytes]) -> Verdict:
+def _verdict(bag: Bag, node: str, prefix: str, told: Mapping[str, bytes]) -> Verdict:
     # What a replay keeps it keeps to its end: nothing is found by looking through it again.
     gc.disable()
-    bag, kind = open_bag(path), KINDS[node]
+    kind = KINDS[node]
     return kind.begin(Recording(bag, node, kind.topics, prefix), RunOrigin(bag, told)).run()
 
 

@@ -12,7 +12,7 @@ from lwr_tracking.core.tracking_session import TrackingSession
 from lwr_tracking.joint_pairing import MAX_LAG
 from srnn_bag import Message
 from srnn_msgs_py.joints import JointSample
-from srnn_msgs_py.journal import Deed, number
+from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import executed, joints, result, segment
 from srnn_replay.errors import NotReplayableError
 from srnn_replay.inputs import Inputs
@@ -46,7 +46,8 @@ class TrackerReplay:
         verdict = Verdict(NODE)
         for session in self._recording.sessions:
             self._listen(session, verdict)
-            if not all(self._act(Deed(row[0]), row) for row in session.rows.tolist()):
+            deeds, first, second, *_ = session.rows.T.tolist()
+            if not all(map(self._act, deeds, first, second, session.times)):
                 break
             end_ns = self._sample.stamp_ns if self._sample else session.began_ns
             if not all(told.finish(end_ns) for told in (self._paths, self._results)):
@@ -71,19 +72,16 @@ class TrackerReplay:
             'results', results, lambda v: f'result of segment {v.stamp_ns}', verdict
         )
 
-    def _act(self, deed: Deed, row: list[int]) -> bool:
+    def _act(self, deed: int, first: int, second: int, time: float) -> bool:
         """Do again what one row tells; return whether to go on."""
-        _, first, second, time, _ = row
         match deed:
             case Deed.MEASURED:
-                self._sample = self._joint_sample(first, first + second)
-                return self._tick(number(time))
+                return self._tick(time, self._joint_sample(first, first + second))
             case Deed.ASSUMED:
                 assert self._sample is not None
-                self._sample = self._tracking.assumed(self._sample, first)
-                return self._tick(number(time))
+                return self._tick(time, self._tracking.assumed(self._sample, first))
             case Deed.OFFERED:
-                refused = self._tracking.offer(self._segments[first], number(time))
+                refused = self._tracking.offer(self._segments[first], time)
                 return (
                     refused is None
                     or refused.reason == Refusal.DUPLICATE
@@ -103,12 +101,12 @@ class TrackerReplay:
                 self._tracking.resume()
         return True
 
-    def _tick(self, now: float) -> bool:
-        assert self._sample is not None
-        tick = self._tracking.tick(now, self._sample)
-        if tick.command is not None and not self._commands.compare(tick.command):
+    def _tick(self, now: float, sample: JointSample) -> bool:
+        self._sample = sample
+        command, finished = self._tracking.tick(now, sample)
+        if command is not None and not self._commands.compare(command):
             return False
-        for end in tick.finished:
+        for end in finished:
             if end.path is not None:
                 path = executed.from_msg(executed.to_msg(end.path))
                 if not self._paths.compare(path):
