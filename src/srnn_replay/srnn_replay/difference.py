@@ -59,9 +59,9 @@ def _of_arrays(recorded: Any, replayed: Any, where: str) -> Difference | None:
     if recorded.shape != replayed.shape or recorded.dtype != replayed.dtype:
         kinds = [f'{array.dtype} {array.shape}' for array in (recorded, replayed)]
         return Difference(where, *kinds)
-    one, other = np.ascontiguousarray(recorded), np.ascontiguousarray(replayed)
-    if one.tobytes() == other.tobytes():
+    if recorded.tobytes() == replayed.tobytes():
         return None
+    one, other = np.ascontiguousarray(recorded), np.ascontiguousarray(replayed)
     # Bits, because a zero has two signs and no NaN equals itself.
     kind = f'u{one.dtype.itemsize}'
     index = tuple(int(n) for n in np.argwhere(one.view(kind) != other.view(kind))[0])

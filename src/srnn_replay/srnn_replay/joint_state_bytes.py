@@ -33,6 +33,14 @@ def stamp_ns(data: bytes) -> int:
     return int(seconds) * SECOND_NS + int(nanoseconds)
 
 
+def last_numbers(messages: Sequence[bytes], count: int) -> list[NDArray[np.float64]]:
+    """Return the last `count` numbers (count,) of each message, all that it has if fewer."""
+    ends = [data[-8 * count :] for data in messages]
+    if all(len(end) == 8 * count for end in ends):
+        return list(np.frombuffer(b''.join(ends), '<f8').reshape(-1, count))
+    return [np.frombuffer(end, '<f8', len(end) // 8) for end in ends]
+
+
 class JointStateBytes:
     """Reads joint states whose names are these, in this order."""
 

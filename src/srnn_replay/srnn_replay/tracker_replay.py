@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The decisions of the tracker made again: each command, each path, each result."""
 
-from typing import Any
-
-import numpy as np
-
 from lwr_description import Kinematics
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.core.refusal import NOT_IN_CHARGE, Refusal
@@ -16,7 +12,7 @@ from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import executed, joints, result, segment
 from srnn_replay.errors import NotReplayableError
 from srnn_replay.inputs import Inputs
-from srnn_replay.joint_state_bytes import JointStateBytes, Row, stamp_ns
+from srnn_replay.joint_state_bytes import JointStateBytes, Row, last_numbers, stamp_ns
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, Session, of_session
 from srnn_replay.verdict import Told, Verdict, said_in
@@ -25,6 +21,7 @@ NODE = 'tracker'
 MEASURED = 'joint_states'
 EXTERNAL = 'external_torque/joint_states'
 COMMANDS = 'forward_position_controller/commands'
+_MEASURED = int(Deed.MEASURED)
 TOPICS = ('segment', MEASURED, EXTERNAL, COMMANDS, 'executed', 'segment_result')
 
 
@@ -36,7 +33,8 @@ class TrackerReplay:
         told = origin.tracker()
         self._kinematics = Kinematics(told.mount)
         self._recording = recording
-        self._measured, self._external = (self._by_stamp(name) for name in (MEASURED, EXTERNAL))
+        self._by_stamp: dict[str, dict[int, Message]] = {}
+        self._measured, self._external = self._rows(MEASURED), self._rows(EXTERNAL)
         self._segments = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
         self._tracking = TrackingSession(told.tracking, self._kinematics)
         self._sample: JointSample | None = None
@@ -57,8 +55,9 @@ class TrackerReplay:
     def _listen(self, session: Session, verdict: Verdict) -> None:
         """Begin with what one process has said."""
         said = of_session(self._recording.raw(COMMANDS), session)
+        numbers = last_numbers([m.data for m in said], len(self._kinematics.joints))
         self._commands = Told(
-            'commands', [(m, self._numbers(m)) for m in said], lambda _: 'a command', verdict
+            'commands', [*zip(said, numbers, strict=True)], lambda _: 'a command', verdict
         )
         paths, results = (
             said_in(session, self._recording.decoded(topic, convert))
@@ -74,9 +73,9 @@ class TrackerReplay:
 
     def _act(self, deed: int, first: int, second: int, time: float) -> bool:
         """Do again what one row tells; return whether to go on."""
+        if deed == _MEASURED:
+            return self._tick(time, self._joint_sample(first, first + second))
         match deed:
-            case Deed.MEASURED:
-                return self._tick(time, self._joint_sample(first, first + second))
             case Deed.ASSUMED:
                 assert self._sample is not None
                 return self._tick(time, self._tracking.assumed(self._sample, first))
@@ -115,31 +114,37 @@ class TrackerReplay:
                 return False
         return True
 
-    def _by_stamp(self, name: str) -> dict[int, tuple[Message, Row | None]]:
-        """Return the joint states of a topic by their stamps, with their numbers if known."""
-        messages = self._recording.raw(name)
-        data = [message.data for message in messages]
+    def _rows(self, name: str) -> dict[int, Row]:
+        """Return what the joint states of a topic say, by their stamps, where known how."""
+        data = [message.data for message in self._recording.raw(name)]
         rows = JointStateBytes(self._kinematics.joints).rows(data)
-        return dict(zip(map(stamp_ns, data), zip(messages, rows, strict=True), strict=True))
+        stamps = map(stamp_ns, data)
+        return {s: row for s, row in zip(stamps, rows, strict=True) if row is not None}
 
     def _joint_sample(self, stamp: int, external_stamp: int) -> JointSample:
-        try:
-            measured, own = self._measured[stamp]
-            external, others = self._external[external_stamp]
-        except KeyError:
-            raise NotReplayableError(
-                f'{NODE}: the bag lacks joint states {stamp}, which it has answered'
-            ) from None
+        own, others = self._measured.get(stamp), self._external.get(external_stamp)
         if own is None or others is None:
-            return joints.from_msgs(
-                self._recording.message(MEASURED, measured),
-                self._recording.message(EXTERNAL, external), self._kinematics.joints, MAX_LAG,
-            )  # fmt: skip
+            return self._general_sample(stamp, external_stamp)
         position, velocity, torque = own
         return JointSample(
             stamp, position, velocity, torque, others[2], external_stamp - stamp
         )
 
-    def _numbers(self, message: Message) -> Any:
-        """Return the numbers of a command, which are the last of its message."""
-        return np.frombuffer(message.data[-8 * len(self._kinematics.joints) :], '<f8')
+    def _general_sample(self, stamp: int, external_stamp: int) -> JointSample:
+        try:
+            measured, external = (
+                self._recording.message(name, self._messages(name)[when])
+                for name, when in ((MEASURED, stamp), (EXTERNAL, external_stamp))
+            )
+        except KeyError:
+            raise NotReplayableError(
+                f'{NODE}: the bag lacks joint states {stamp}, which it has answered'
+            ) from None
+        return joints.from_msgs(measured, external, self._kinematics.joints, MAX_LAG)
+
+    def _messages(self, name: str) -> dict[int, Message]:
+        """Return the joint states of a topic by their stamps."""
+        if name not in self._by_stamp:
+            messages = self._recording.raw(name)
+            self._by_stamp[name] = {stamp_ns(message.data): message for message in messages}
+        return self._by_stamp[name]

@@ -103,6 +103,7 @@ class Decision:
     """What a set of conditions demands.
 
     Attributes:
+        conditions: all of them.
         reaction: the strictest of all reactions.
         latched: the conditions that stay until a reset.
         until_reset: there are some of these.
@@ -110,6 +111,7 @@ class Decision:
 
     """
 
+    conditions: frozenset[Condition]
     reaction: Reaction
     latched: Condition
     until_reset: bool
@@ -136,4 +138,5 @@ def decide(conditions: Condition) -> Decision:
         if rule.latches:
             latched |= condition
     reaction = rules[0][1].reaction if rules else Reaction.NONE
-    return Decision(reaction, latched, bool(latched), tuple(rule.cause for _, rule in rules))
+    causes = tuple(rule.cause for _, rule in rules)
+    return Decision(frozenset(conditions), reaction, latched, bool(latched), causes)

@@ -42,8 +42,8 @@ class PathTime:
 
         """
         if not self.braking:
-            change = -self._ramp * dt if paused else self._ramp * dt
-            rate = min(max(self.rate + change, 0.0), 1.0)
+            rate = self.rate + (-self._ramp * dt if paused else self._ramp * dt)
+            rate = 0.0 if rate < 0.0 else min(rate, 1.0)
             step = 0.5 * (self.rate + rate) * dt
             left = self._duration - self.value
             # Braking one tick early is gentler than the limit, one tick late is harder.

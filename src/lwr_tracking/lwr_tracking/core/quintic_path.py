@@ -78,20 +78,32 @@ class QuinticPath:
         self._coefficients = _coefficients(step[:, None], positions, velocities, accelerations)
         self._rows: list[list[float]] = self._coefficients.reshape(knots - 1, -1).tolist()
 
+    def place(self, time: float) -> tuple[float, float]:
+        """Return x and y of `state` [m]."""
+        (a0, b0, a1, b1, a2, b2, a3, b3, a4, b4, a5, b5), u, _ = self._at(time)
+        return (
+            a0 + u * (a1 + u * (a2 + u * (a3 + u * (a4 + u * a5)))),
+            b0 + u * (b1 + u * (b2 + u * (b3 + u * (b4 + u * b5)))),
+        )
+
     def state(self, time: float) -> PathState:
         """Return the point at a path time [s], held before the start and after the end."""
-        if not 0.0 <= time <= self.duration:
-            time = 0.0 if time < 0.0 else self.duration
-        i = min(bisect_right(self._knots, time), len(self._rows)) - 1
-        h = self._knots[i + 1] - self._knots[i]
-        u = (time - self._knots[i]) / h
-        a0, b0, a1, b1, a2, b2, a3, b3, a4, b4, a5, b5 = self._rows[i]
+        (a0, b0, a1, b1, a2, b2, a3, b3, a4, b4, a5, b5), u, h = self._at(time)
         return PathState(
             a0 + u * (a1 + u * (a2 + u * (a3 + u * (a4 + u * a5)))),
             b0 + u * (b1 + u * (b2 + u * (b3 + u * (b4 + u * b5)))),
             (a1 + u * (2 * a2 + u * (3 * a3 + u * (4 * a4 + u * 5 * a5)))) / h,
             (b1 + u * (2 * b2 + u * (3 * b3 + u * (4 * b4 + u * 5 * b5)))) / h,
         )
+
+    def _at(self, time: float) -> tuple[list[float], float, float]:
+        """Return the coefficients of an interval, the time in it, 0 to 1, and its length [s]."""
+        knots = self._knots
+        if not 0.0 <= time <= self.duration:
+            time = 0.0 if time < 0.0 else self.duration
+        i = min(bisect_right(knots, time), len(self._rows)) - 1
+        h = knots[i + 1] - knots[i]
+        return self._rows[i], (time - knots[i]) / h, h
 
     def evaluate(self, times: Array) -> tuple[Array, Array, Array]:
         """Return positions, velocities and accelerations, (n, 2) each, at path times (n,)."""

@@ -40,7 +40,7 @@ class Reference:
         self.soft_stops = 0
         x, y, z = map(float, place)
         self.place = (x, y, z)
-        self._state = PathState(x, y)
+        self._held = PathState(x, y)
         self._limits = limits
         self._time: PathTime | None = None
         self._height = z
@@ -56,7 +56,10 @@ class Reference:
     @property
     def velocity(self) -> Array:
         """Return how fast it moves, (3,) [m/s]."""
-        return np.array((self._state.vx, self._state.vy, self._rise))
+        if self.running is None or self._time is None:
+            return np.array((0.0, 0.0, self._rise))
+        state, rate = self.running.path.state(self._time.value), self._time.rate
+        return np.array((rate * state.vx, rate * state.vy, self._rise))
 
     @property
     def at_rest(self) -> bool:
@@ -66,7 +69,7 @@ class Reference:
     def join(self) -> tuple[PathState, bool]:
         """Return the state that the next segment must continue, and whether it is late."""
         if self.running is None or self._time is None:
-            return self._state, False
+            return self._held, False
         path = self.running.path
         if self._time.rate == 1.0 and not self._time.braking:
             return path.end, False
@@ -83,7 +86,10 @@ class Reference:
     def advance(self, dt: float) -> Admission | None:
         """Move on by `dt` [s]; return the segment that came to its end, if one did."""
         ended = self._advance_path(self.pace * dt)
-        x, y, _, _ = self._state
+        if self.running is None or self._time is None:
+            x, y, _, _ = self._held
+        else:
+            x, y = self.running.path.place(self._time.value)
         self.place = (x, y, self._advance_height(self.pace * dt))
         return ended
 
@@ -96,7 +102,7 @@ class Reference:
         """Hold a point at once [m]; return the running and the waiting segment, dropped."""
         dropped = self.running, self.waiting
         self.running = self.waiting = self._time = None
-        self._state = PathState(x, y)
+        self._held = PathState(x, y)
         self.place = (x, y, self.place[2])
         return dropped
 
@@ -110,14 +116,13 @@ class Reference:
         over = self._time.advance(dt, stops, self.paused)
         self.clock += self._time.value - before
         if not self._time.finished:
-            self._state = self._scaled(self.running, self._time)
             return None
         ended, rate = self.running, self._time.rate
         self.soft_stops += self._time.braking
         if stops:
             rate = 0.0 if self.paused else 1.0
         self.running = self.waiting = self._time = None
-        self._state = PathState(path.end.x, path.end.y)
+        self._held = PathState(path.end.x, path.end.y)
         if following is not None:
             self._begin(following, rate, over)
         return ended
@@ -130,13 +135,6 @@ class Reference:
         self._time = PathTime(path.duration, admission.room, ramp, rate)
         self._time.value = value
         self.clock += value
-        self._state = self._scaled(admission, self._time)
-
-    def _scaled(self, admission: Admission, time: PathTime) -> PathState:
-        state = admission.path.state(time.value)
-        if time.rate == 1.0:
-            return state
-        return PathState(state.x, state.y, time.rate * state.vx, time.rate * state.vy)
 
     def _advance_height(self, dt: float) -> float:
         """Bring the height to 0 along a minimum-jerk curve; return it [m]."""

@@ -59,9 +59,13 @@ class TickWatch:
         late = elapsed > self._longest
         self.late += late
         self._recent = (self._recent << 1 | late) & _ALL
-        change = -GLIDE if self._recent.bit_count() > MANY else GLIDE
-        held = elapsed > HELD_AFTER
-        self.pace = SLOW if held else min(max(self.pace + change, SLOW), 1.0)
+        pace = self.pace + (-GLIDE if self._recent.bit_count() > MANY else GLIDE)
+        if elapsed > HELD_AFTER or pace < SLOW:
+            pace = SLOW
+        self.pace = pace if pace < 1.0 else 1.0
         self._run = self._run + 1 if late else 0
-        self._left = RECOVERED if self._run > TOLERATED else max(self._left - 1, 0)
+        if self._run > TOLERATED:
+            self._left = RECOVERED
+        elif self._left:
+            self._left -= 1
         return self._left > 0

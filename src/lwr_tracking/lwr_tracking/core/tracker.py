@@ -262,7 +262,7 @@ class Tracker:
 
     def _set(self, condition: Condition, there: bool) -> None:
         """Note a condition that comes and goes by itself."""
-        if there != (condition in self.conditions):
+        if there != (condition in decide(self.conditions).conditions):
             self.conditions ^= condition
 
     def _fault(self, condition: Condition, at: Point | None = None) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lwr_description import Kinematics
-from lwr_tracking.core.failsafe import Condition
+from lwr_tracking.core.failsafe import Condition, decide
 from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.tracker import Tick, Tracker
 from srnn_msgs_py.joints import JointSample
@@ -65,7 +65,7 @@ class TrackingSession:
         if tick.command is None:
             return tick
         # Whoever reports again after a silence may be another arm: it is told nothing yet.
-        if self.tracker.latched and Condition.SILENT in self.tracker.conditions:
+        if Condition.SILENT in decide(self.tracker.conditions).conditions:
             return tick._replace(command=None)
         self._sent.append(tick.command)
         return tick
