@@ -19,7 +19,7 @@ from srnn_msgs_py.segment import FRAME, Segment
 from srnn_msgs_py.topics import topic
 from srnn_msgs_py.weights import LearnedWeights, WeightsUpdate
 from srnn_msgs_py.wrench import Wrench
-from srnn_replay.tracker_replay import COMMANDS
+from srnn_replay.cycles import COMMANDS
 
 MS = 1_000_000
 BEGIN = 1_700_000_000_000_000_000

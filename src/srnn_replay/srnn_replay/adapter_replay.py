@@ -28,19 +28,20 @@ NO_TIME = 0
 class AdapterReplay:
     """Feeds an adapter what the adapter of a recording has acted on."""
 
-    def __init__(self, recording: Recording, origin: RunOrigin) -> None:
-        """Read the inputs."""
+    def __init__(self, origin: RunOrigin, prefix: str) -> None:
+        """Read the inputs of a graph, whose names begin with `prefix`."""
+        recording = Recording(origin.bag, NODE, TOPICS, prefix)
         told = origin.adapter()
         self._told, self._start = told, origin.start_weights()
         self._recording = recording
         self._convert = partial(weights.from_msg, neurons=told.model.network.neurons)
-        self._plans = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
-        self._paths = Inputs(recording, 'executed', executed.from_msg, lambda v: v.stamp_ns)
-        self._refused = Inputs(
+        self._plans = Inputs.read(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
+        self._paths = Inputs.read(recording, 'executed', executed.from_msg, lambda v: v.stamp_ns)
+        self._refused = Inputs.read(
             recording, 'weights_refused', refusal.from_msg,
             lambda v: (v.refused_version, v.good_version),
         )  # fmt: skip
-        self._versions = Inputs(recording, 'weights', self._convert, lambda v: v.version)
+        self._versions = Inputs.read(recording, 'weights', self._convert, lambda v: v.version)
         self._verdict = Verdict(NODE)
         self._checkpoint: Checkpoint | None = None
 

@@ -124,8 +124,8 @@ def changed(model: ModelParameters, changes: Mapping[str, Any]) -> ModelParamete
 
 
 def _lessons(recording: Recording, session: LearningSession) -> Iterator[Any]:
-    plans = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
-    paths = Inputs(recording, 'executed', executed.from_msg, lambda v: v.stamp_ns)
+    plans = Inputs.read(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
+    paths = Inputs.read(recording, 'executed', executed.from_msg, lambda v: v.stamp_ns)
     for life in recording.sessions:
         for row in life.rows:
             deed, stamp_ns = Deed(int(row[0])), int(row[1])

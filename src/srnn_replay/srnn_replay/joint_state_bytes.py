@@ -6,7 +6,7 @@ to decide on them; the numbers of all are taken at once. Whatever is not as the 
 workspace send it is left to the general way.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 import struct
 
 import numpy as np
@@ -23,21 +23,25 @@ _LITTLE_ENDIAN = b'\x00\x01'
 _FRAME = _BODY + _STAMP.size
 FIELDS = ('position', 'velocity', 'effort')
 
-Row = tuple[NDArray[np.float64], ...]
-"""Position, velocity and effort of a joint state, (n,) or empty."""
-
-
 def stamp_ns(data: bytes) -> int:
     """Return the stamp of a message that begins with a header [ns]."""
     seconds, nanoseconds = _STAMP.unpack_from(data, _BODY)
     return int(seconds) * SECOND_NS + int(nanoseconds)
 
 
-def last_numbers(messages: Sequence[bytes], count: int) -> list[NDArray[np.float64]]:
+def stamps_ns(messages: Sequence[bytes]) -> NDArray[np.int64]:
+    """Return the stamps (n,) of messages that begin with a header [ns]."""
+    head = b''.join([data[_BODY:_FRAME] for data in messages])
+    stamps = np.frombuffer(head, [('seconds', '<i4'), ('nanoseconds', '<u4')])
+    whole = stamps['seconds'].astype(np.int64) * SECOND_NS
+    return np.asarray(whole + stamps['nanoseconds'], dtype=np.int64)
+
+
+def last_numbers(messages: Sequence[bytes], count: int) -> Iterable[NDArray[np.float64]]:
     """Return the last `count` numbers (count,) of each message, all that it has if fewer."""
     ends = [data[-8 * count :] for data in messages]
     if all(len(end) == 8 * count for end in ends):
-        return list(np.frombuffer(b''.join(ends), '<f8').reshape(-1, count))
+        return np.frombuffer(b''.join(ends), '<f8').reshape(-1, count)
     return [np.frombuffer(end, '<f8', len(end) // 8) for end in ends]
 
 
@@ -50,9 +54,21 @@ class JointStateBytes:
         self._count = _COUNT.pack(len(names))
         self._names = [_COUNT.pack(len(text)) + text for text in texts]
 
-    def rows(self, messages: Sequence[bytes]) -> list[Row | None]:
-        """Return what each message says; None if it is not known how."""
-        found: list[Row | None] = [None] * len(messages)
+    def columns(
+        self, messages: Sequence[bytes], fields: Sequence[str] = FIELDS
+    ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+        """Return which messages it can read, (n,), and what they say.
+
+        Args:
+            messages: n joint states.
+            fields: which of their fields; each must have a number for each name.
+
+        Returns:
+            Which are known, and their numbers (n, fields, names), NaN where not.
+
+        """
+        known = np.zeros(len(messages), dtype=bool)
+        numbers = np.full((len(messages), len(fields), len(self._names)), np.nan)
         by_length: dict[int, list[int]] = {}
         for place, data in enumerate(messages):
             by_length.setdefault(len(data), []).append(place)
@@ -66,15 +82,16 @@ class JointStateBytes:
                     left, block = left[1:], block[1:]
                     continue
                 same = shape.fits(block)
-                for place, row in zip(left[same].tolist(), shape.rows(block[same]), strict=True):
-                    found[place] = row
+                if shape.has(fields, len(self._names)):
+                    known[left[same]] = True
+                    numbers[left[same]] = shape.numbers(block[same], fields)
                 left, block = left[~same], block[~same]
-        return found
+        return known, numbers
 
     def _shape(self, data: bytes) -> '_Shape | None':
         if data[:2] != _LITTLE_ENDIAN:
             return None
-        fixed, numbers = [(0, _BODY), (_FRAME, _FRAME + _COUNT.size)], []
+        fixed, numbers = [(0, _BODY), (_FRAME, _FRAME + _COUNT.size)], {}
         try:
             (length,) = _COUNT.unpack_from(data, _FRAME)
             at = _aligned(_FRAME + _COUNT.size + length, 4)
@@ -84,14 +101,14 @@ class JointStateBytes:
                     return None
                 fixed.append((at, at + len(content)))
                 at += len(content)
-            for _ in FIELDS:
+            for field in FIELDS:
                 at = _aligned(at, 4)
                 (count,) = _COUNT.unpack_from(data, at)
                 fixed.append((at, at + _COUNT.size))
                 at += _COUNT.size
                 if count:
                     at = _aligned(at, 8)
-                numbers.append((at, at + 8 * count))
+                numbers[field] = slice(at, at + 8 * count)
                 at += 8 * count
         except struct.error:
             return None
@@ -105,10 +122,15 @@ class _Shape:
     """
 
     def __init__(
-        self, data: bytes, fixed: Sequence[tuple[int, int]], numbers: Sequence[tuple[int, int]]
+        self, data: bytes, fixed: Sequence[tuple[int, int]], numbers: Mapping[str, slice]
     ) -> None:
         self._fixed = [(edge, np.frombuffer(data[slice(*edge)], np.uint8)) for edge in fixed]
         self._numbers = numbers
+
+    def has(self, fields: Sequence[str], count: int) -> bool:
+        """Tell whether each of some fields has so many numbers."""
+        places = [self._numbers[field] for field in fields]
+        return all(place.stop - place.start == 8 * count for place in places)
 
     def fits(self, block: NDArray[np.uint8]) -> NDArray[np.bool_]:
         """Tell which messages (n, bytes) of the same length have this shape, (n,)."""
@@ -120,13 +142,12 @@ class _Shape:
                 same &= equal.all(axis=1)
         return same
 
-    def rows(self, block: NDArray[np.uint8]) -> Iterable[Row]:
-        """Return the numbers of messages (n, bytes) of this shape."""
+    def numbers(self, block: NDArray[np.uint8], fields: Sequence[str]) -> NDArray[np.float64]:
+        """Return the numbers of messages (n, bytes) of this shape, (n, fields, count)."""
         columns = [
-            list(np.ascontiguousarray(block[:, start:end]).view('<f8'))
-            for start, end in self._numbers
+            np.ascontiguousarray(block[:, self._numbers[field]]).view('<f8') for field in fields
         ]
-        return zip(*columns, strict=True)
+        return np.stack(columns, axis=1)
 
 
 def _aligned(at: int, size: int) -> int:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The decisions of the planner made again: each segment, and each refusal of weights."""
 
+from collections.abc import Hashable, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Any
@@ -8,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from srnn_bag import Message
 from srnn_msgs_py.journal import Deed, number
 from srnn_msgs_py.ros import (
     dissonance,
     executed,
-    pose,
     refusal,
     result,
     segment,
@@ -24,38 +25,53 @@ from srnn_planner.core.errors import SrnnError
 from srnn_planner.core.planning_session import PlanningSession
 from srnn_replay.difference import Difference
 from srnn_replay.inputs import Inputs
+from srnn_replay.joint_state_bytes import last_numbers, stamp_ns
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, Session
 from srnn_replay.verdict import Told, Verdict, said_in
 
 NODE = 'planner'
+POSE = 'current_pose'
 TOPICS = (
-    'segment', 'weights_refused', 'current_pose', 'executed', 'segment_result', 'dissonance',
+    'segment', 'weights_refused', POSE, 'executed', 'segment_result', 'dissonance',
     'weights', 'waypoints',
 )  # fmt: skip
+
+POSE_NUMBERS = 7
+
+
+def positions(poses: Sequence[Message]) -> dict[Hashable, NDArray[np.float64]]:
+    """Return the positions (3,) [m] of poses, by their stamps [ns].
+
+    There are too many of them to make a message of each.
+    """
+    data = [message.data for message in poses]
+    numbers = last_numbers(data, POSE_NUMBERS)
+    return {stamp_ns(d): pose[:3] for d, pose in zip(data, numbers, strict=True)}
 
 
 class PlannerReplay:
     """Feeds a planner what the planner of a recording has acted on."""
 
-    def __init__(self, recording: Recording, origin: RunOrigin) -> None:
-        """Read the inputs."""
+    def __init__(self, origin: RunOrigin, prefix: str) -> None:
+        """Read the inputs of a graph, whose names begin with `prefix`."""
+        recording = Recording(origin.bag, NODE, TOPICS, prefix)
         self._origin = origin.planner()
         self._recording = recording
         neurons = self._origin.model.network.neurons
-        self._poses = Inputs(recording, 'current_pose', pose.from_msg, lambda v: v.stamp_ns)
-        self._paths = Inputs(recording, 'executed', executed.from_msg, lambda v: v.stamp_ns)
-        self._results = Inputs(
+        self._poses = Inputs(NODE, POSE, positions(recording.raw(POSE)))
+        self._paths = Inputs.read(recording, 'executed', executed.from_msg, lambda v: v.stamp_ns)
+        self._results = Inputs.read(
             recording, 'segment_result', result.from_msg, lambda v: (v.stamp_ns, v.digest())
         )
-        self._lessons = Inputs(
+        self._lessons = Inputs.read(
             recording, 'dissonance', dissonance.from_msg, lambda v: v.segment_stamp_ns
         )
-        self._weights = Inputs(
+        self._weights = Inputs.read(
             recording, 'weights', partial(weights.from_msg, neurons=neurons),
             lambda v: (v.version, v.checksum()),
         )  # fmt: skip
-        self._tours = Inputs(recording, 'waypoints', waypoints.from_msg, lambda v: v.stamp_ns)
+        self._tours = Inputs.read(recording, 'waypoints', waypoints.from_msg, lambda v: v.stamp_ns)
         self._verdict = Verdict(NODE)
 
     def run(self) -> Verdict:
@@ -88,7 +104,7 @@ class PlannerReplay:
                 case Deed.ACTIVATED | Deed.BLIND:
                     session.sequencer.forget_motion()
                 case Deed.POSED:
-                    session.pose(self._poses[first].position)
+                    session.pose(self._poses[first])
                 case Deed.EXECUTED:
                     session.executed(self._paths[first])
                 case Deed.ENDED:

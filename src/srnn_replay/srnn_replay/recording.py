@@ -73,9 +73,7 @@ class Recording:
 
         """
         self.node = node
-        remapped = remapped_topics(bag)
-        full = {name: prefix + name for name in (*topics, f'{node}/journal')}
-        self._names = {name: remapped.get(own, own) for name, own in full.items()}
+        self._names = full_names(bag, (*topics, f'{node}/journal'), prefix)
         self._messages: dict[str, list[Message]] = {name: [] for name in self._names.values()}
         kept = self._messages
         for message in bag.messages(kept.keys()):
@@ -85,10 +83,6 @@ class Recording:
     def raw(self, name: str) -> list[Message]:
         """Return the messages of a topic, as they are in the bag."""
         return self._messages[self._names[name]]
-
-    def message(self, name: str, message: Message) -> Any:
-        """Return a message of a topic without the mark of its sender."""
-        return unmarked(name, message)
 
     def decoded(self, name: str, convert: Callable[[Any], V]) -> 'list[Decoded[V]]':
         """Return what the messages of a topic say; those that say nothing are left out."""
@@ -152,6 +146,17 @@ def journals(bag: Bag) -> list[tuple[str, str]]:
     if not found:
         raise NotReplayableError(f'{bag.path}: has no journals of nodes to replay')
     return sorted(places[name] for name in found)
+
+
+def full_names(bag: Bag, topics: Iterable[str], prefix: str) -> dict[str, str]:
+    """Return the full names of topics in a bag, by their names in the topic table.
+
+    Raises:
+        NotReplayableError: what is attached about them is damaged.
+
+    """
+    remapped = remapped_topics(bag)
+    return {name: remapped.get(prefix + name, prefix + name) for name in topics}
 
 
 def remapped_topics(bag: Bag) -> Mapping[str, str]:

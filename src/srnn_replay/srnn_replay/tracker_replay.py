@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The decisions of the tracker made again: each command, each path, each result."""
 
+from concurrent.futures import ProcessPoolExecutor
+import multiprocessing
+
 from lwr_description import Kinematics
 from lwr_tracking.core.failsafe import Condition
 from lwr_tracking.core.refusal import NOT_IN_CHARGE, Refusal
@@ -10,33 +13,46 @@ from srnn_bag import Message
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import executed, joints, result, segment
+from srnn_replay import cycles
+from srnn_replay.cycles import EXTERNAL, MEASURED, read_cycles
 from srnn_replay.errors import NotReplayableError
 from srnn_replay.inputs import Inputs
-from srnn_replay.joint_state_bytes import JointStateBytes, Row, last_numbers, stamp_ns
+from srnn_replay.joint_state_bytes import stamp_ns
 from srnn_replay.origin import RunOrigin
-from srnn_replay.recording import Recording, Session, of_session
+from srnn_replay.recording import Recording, Session, full_names, unmarked
 from srnn_replay.verdict import Told, Verdict, said_in
 
 NODE = 'tracker'
-MEASURED = 'joint_states'
-EXTERNAL = 'external_torque/joint_states'
-COMMANDS = 'forward_position_controller/commands'
+TOPICS = ('segment', 'executed', 'segment_result')
+
 _MEASURED = int(Deed.MEASURED)
-TOPICS = ('segment', MEASURED, EXTERNAL, COMMANDS, 'executed', 'segment_result')
 
 
 class TrackerReplay:
     """Feeds a tracker what the tracker of a recording has acted on."""
 
-    def __init__(self, recording: Recording, origin: RunOrigin) -> None:
-        """Read the inputs."""
+    def __init__(self, origin: RunOrigin, prefix: str) -> None:
+        """Read the inputs of a graph, whose names begin with `prefix`."""
         told = origin.tracker()
         self._kinematics = Kinematics(told.mount)
-        self._recording = recording
-        self._by_stamp: dict[str, dict[int, Message]] = {}
-        self._measured, self._external = self._rows(MEASURED), self._rows(EXTERNAL)
-        self._segments = Inputs(recording, 'segment', segment.from_msg, lambda v: v.stamp_ns)
-        self._tracking = TrackingSession(told.tracking, self._kinematics)
+        self._bag = origin.bag
+        self._names = full_names(self._bag, cycles.TOPICS, prefix)
+        # Most of the bag is read beside all the rest.
+        with ProcessPoolExecutor(1, multiprocessing.get_context('fork')) as reader:
+            coming = reader.submit(read_cycles, self._bag, self._names, self._kinematics.joints)
+            self._recording = Recording(self._bag, NODE, TOPICS, prefix)
+            self._segments = Inputs.read(
+                self._recording, 'segment', segment.from_msg, lambda v: v.stamp_ns
+            )
+            self._said_paths, self._said_results = (
+                self._recording.decoded('executed', executed.from_msg),
+                self._recording.decoded('segment_result', result.from_msg),
+            )
+            self._tracking = TrackingSession(told.tracking, self._kinematics)
+            self._cycles = coming.result()
+        self._measured = [*map(tuple, self._cycles.measured.numbers)]
+        self._external = [*self._cycles.external.numbers[:, 0]]
+        self._unusual: dict[str, dict[int, Message]] = {}
         self._sample: JointSample | None = None
 
     def run(self) -> Verdict:
@@ -44,8 +60,11 @@ class TrackerReplay:
         verdict = Verdict(NODE)
         for session in self._recording.sessions:
             self._listen(session, verdict)
-            deeds, first, second, *_ = session.rows.T.tolist()
-            if not all(map(self._act, deeds, first, second, session.times)):
+            deeds, first, second, *_ = session.rows.T
+            own = self._cycles.measured.places(first)
+            others = self._cycles.external.places(first + second)
+            rows = deeds.tolist(), first.tolist(), second.tolist(), session.times, own, others
+            if not all(map(self._act, *rows)):
                 break
             end_ns = self._sample.stamp_ns if self._sample else session.began_ns
             if not all(told.finish(end_ns) for told in (self._paths, self._results)):
@@ -54,27 +73,42 @@ class TrackerReplay:
 
     def _listen(self, session: Session, verdict: Verdict) -> None:
         """Begin with what one process has said."""
-        said = of_session(self._recording.raw(COMMANDS), session)
-        numbers = last_numbers([m.data for m in said], len(self._kinematics.joints))
-        self._commands = Told(
-            'commands', [*zip(said, numbers, strict=True)], lambda _: 'a command', verdict
-        )
-        paths, results = (
-            said_in(session, self._recording.decoded(topic, convert))
-            for topic, convert in (
-                ('executed', executed.from_msg), ('segment_result', result.from_msg),
+        said = [
+            (sent_ns, command)
+            for sent_ns, command in zip(
+                self._cycles.sent_ns, self._cycles.commands, strict=True
             )
-        )  # fmt: skip
-        results = [(m, value) for m, value in results if value.reason != NOT_IN_CHARGE]
+            if session.began_ns <= sent_ns < session.until_ns
+        ]
+        self._commands = Told('commands', said, lambda _: 'a command', verdict)
+        paths, results = (said_in(session, s) for s in (self._said_paths, self._said_results))
+        results = [(sent_ns, value) for sent_ns, value in results if value.reason != NOT_IN_CHARGE]
         self._paths = Told('paths', paths, lambda v: f'path of segment {v.stamp_ns}', verdict)
         self._results = Told(
             'results', results, lambda v: f'result of segment {v.stamp_ns}', verdict
         )
 
-    def _act(self, deed: int, first: int, second: int, time: float) -> bool:
-        """Do again what one row tells; return whether to go on."""
+    def _act(
+        self, deed: int, first: int, second: int, time: float, own: int, others: int
+    ) -> bool:
+        """Do again what one row tells; return whether to go on.
+
+        Args:
+            deed: what was done.
+            first: see `Deed`.
+            second: see `Deed`.
+            time: steady-clock time, or an age [s].
+            own: which of the joint states `first` is, if any; -1 for none.
+            others: the same of external torques `second` ns later.
+
+        """
         if deed == _MEASURED:
-            return self._tick(time, self._joint_sample(first, first + second))
+            if own < 0 or others < 0:
+                return self._tick(time, self._general_sample(first, first + second))
+            position, velocity, torque = self._measured[own]
+            external = self._external[others]
+            sample = JointSample(first, position, velocity, torque, external, second)
+            return self._tick(time, sample)
         match deed:
             case Deed.ASSUMED:
                 assert self._sample is not None
@@ -114,26 +148,11 @@ class TrackerReplay:
                 return False
         return True
 
-    def _rows(self, name: str) -> dict[int, Row]:
-        """Return what the joint states of a topic say, by their stamps, where known how."""
-        data = [message.data for message in self._recording.raw(name)]
-        rows = JointStateBytes(self._kinematics.joints).rows(data)
-        stamps = map(stamp_ns, data)
-        return {s: row for s, row in zip(stamps, rows, strict=True) if row is not None}
-
-    def _joint_sample(self, stamp: int, external_stamp: int) -> JointSample:
-        own, others = self._measured.get(stamp), self._external.get(external_stamp)
-        if own is None or others is None:
-            return self._general_sample(stamp, external_stamp)
-        position, velocity, torque = own
-        return JointSample(
-            stamp, position, velocity, torque, others[2], external_stamp - stamp
-        )
-
     def _general_sample(self, stamp: int, external_stamp: int) -> JointSample:
+        """Return joint states whose bytes are not as usual."""
         try:
             measured, external = (
-                self._recording.message(name, self._messages(name)[when])
+                unmarked(name, self._by_stamp(name)[when])
                 for name, when in ((MEASURED, stamp), (EXTERNAL, external_stamp))
             )
         except KeyError:
@@ -142,9 +161,9 @@ class TrackerReplay:
             ) from None
         return joints.from_msgs(measured, external, self._kinematics.joints, MAX_LAG)
 
-    def _messages(self, name: str) -> dict[int, Message]:
+    def _by_stamp(self, name: str) -> dict[int, Message]:
         """Return the joint states of a topic by their stamps."""
-        if name not in self._by_stamp:
-            messages = self._recording.raw(name)
-            self._by_stamp[name] = {stamp_ns(message.data): message for message in messages}
-        return self._by_stamp[name]
+        if name not in self._unusual:
+            messages = self._bag.messages({self._names[name]})
+            self._unusual[name] = {stamp_ns(message.data): message for message in messages}
+        return self._unusual[name]

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from srnn_bag import Message
 from srnn_replay.difference import Difference, first_difference
 from srnn_replay.recording import Decoded, Session
 
@@ -67,7 +66,7 @@ class Told:
     def __init__(
         self,
         kind: str,
-        said: list[tuple[Message, Any]],
+        said: list[tuple[int, Any]],
         name: Callable[[Any], str],
         verdict: Verdict,
     ) -> None:
@@ -75,7 +74,7 @@ class Told:
 
         Args:
             kind: what to call these decisions.
-            said: messages and what they say, in the order in which they were sent.
+            said: when [ns of system time], and what, in this order.
             name: returns what to call one of them.
             verdict: gets the counts and the first difference.
 
@@ -109,14 +108,14 @@ class Told:
     def finish(self, until_ns: int) -> bool:
         """Demand that nothing more was said before a time [ns]; return whether that holds."""
         if self._next < len(self._said):
-            message, recorded = self._said[self._next]
-            if message.sent_ns < until_ns:
+            sent_ns, recorded = self._said[self._next]
+            if sent_ns < until_ns:
                 self._verdict.difference = Difference(self.kind, recorded, None)
                 self._verdict.decision = self._name(recorded)
                 return False
         return True
 
 
-def said_in(session: Session, said: 'list[Decoded[Any]]') -> list[tuple[Message, Any]]:
-    """Return what was sent in the time of a process."""
-    return [(one.message, one.value) for one in said if session.has(one.message)]
+def said_in(session: Session, said: 'list[Decoded[Any]]') -> list[tuple[int, Any]]:
+    """Return what was sent in the time of a process, and when [ns of system time]."""
+    return [(one.message.sent_ns, one.value) for one in said if session.has(one.message)]

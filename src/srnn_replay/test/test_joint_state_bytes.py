@@ -10,7 +10,13 @@ from lwr_description import JOINT_NAMES
 from srnn_msgs_py.joints import JointSample
 from srnn_msgs_py.ros import joints
 from srnn_msgs_py.ros.mark_carrier import mark_carrier
-from srnn_replay.joint_state_bytes import JointStateBytes, stamp_ns
+from srnn_replay.joint_state_bytes import (
+    FIELDS,
+    JointStateBytes,
+    last_numbers,
+    stamp_ns,
+    stamps_ns,
+)
 
 READER = JointStateBytes(JOINT_NAMES)
 angles = st.lists(st.floats(allow_nan=False), min_size=7, max_size=7).map(np.array)
@@ -38,18 +44,24 @@ def test_it_reads_what_was_written(written):
             messages.append(bytes(serialize_message(msg)))
             expected.append(values)
             assert stamp_ns(messages[-1]) == sample.stamp_ns
-    for read, values in zip(READER.rows(messages), expected, strict=True):
-        for one, other in zip(read, values, strict=True):
-            assert one.tobytes() == np.array(other, dtype=float).tobytes()
+    assert stamps_ns(messages).tolist() == [sample.stamp_ns for sample, _ in written for _ in '12']
+    for fields in (FIELDS, ('effort',), ('position', 'effort')):
+        known, numbers = READER.columns(messages, fields)
+        for there, read, values in zip(known, numbers, expected, strict=True):
+            wanted = [values[FIELDS.index(field)] for field in fields]
+            assert there == all(len(value) == 7 for value in wanted)
+            assert not there or read.tobytes() == np.array(wanted).tobytes()
 
 
 def test_other_names_and_garbage_are_left_to_the_general_way():
     rest = np.zeros(7)
     msg, _ = joints.to_msgs(JointSample(1, rest, rest, rest, rest), JOINT_NAMES)
     data = bytes(serialize_message(msg))
-    assert JointStateBytes(JOINT_NAMES[::-1]).rows([data]) == [None]
+    assert not JointStateBytes(JOINT_NAMES[::-1]).columns([data])[0].any()
     pieces = [data[:length] for length in range(len(data) - 56)]
-    assert READER.rows(pieces) == [None] * len(pieces)
+    known, numbers = READER.columns(pieces)
+    assert not known.any()
+    assert np.isnan(numbers).all()
 
 
 def test_what_is_not_known_does_not_keep_its_neighbours_from_being_read():
@@ -57,6 +69,14 @@ def test_what_is_not_known_does_not_keep_its_neighbours_from_being_read():
     msg, _ = joints.to_msgs(JointSample(1, rest, rest, rest, rest), JOINT_NAMES)
     data = bytes(serialize_message(msg))
     other = data.replace(JOINT_NAMES[3].encode(), b'x' * len(JOINT_NAMES[3]))
-    first, second, third = READER.rows([other, data, other])
-    assert first is third is None
-    assert second is not None
+    known, _ = READER.columns([other, data, other])
+    assert known.tolist() == [False, True, False]
+
+
+def test_the_last_numbers_are_read_from_even_and_uneven_messages():
+    one, two = np.arange(7.0), np.arange(7.0, 14.0)
+    messages = [b'head' + one.tobytes(), b'longer head' + two.tobytes()]
+    for read, written in zip(last_numbers(messages, 7), (one, two), strict=True):
+        np.testing.assert_array_equal(read, written)
+    short = [*messages, one[:3].tobytes()]
+    assert [len(read) for read in last_numbers(short, 7)] == [7, 7, 3]

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from srnn_msgs_py.journal import Deed
+from srnn_replay.cycles import COMMANDS, MEASURED
 from srnn_replay.joint_state_bytes import stamp_ns
 from srnn_replay.recording import Recording, Session, of_session
-from srnn_replay.tracker_replay import COMMANDS, MEASURED
 
 TOPICS = (MEASURED, COMMANDS)
 

@@ -14,9 +14,9 @@ from srnn_config.geometry import clearance
 from srnn_config.scene import Obstacle
 from srnn_msgs_py.result import ResultCode
 from srnn_msgs_py.ros import result, wrench
+from srnn_replay.cycles import COMMANDS, MEASURED
 from srnn_replay.joint_state_bytes import JointStateBytes, stamp_ns
 from srnn_replay.recording import Recording
-from srnn_replay.tracker_replay import COMMANDS, MEASURED
 
 TRUTH = 'contact_truth'
 TOPICS = (MEASURED, COMMANDS, 'segment_result', TRUTH)
@@ -154,7 +154,7 @@ class TouchFinder:
     def _tips(self, begin: int, end: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
         """Return stamps (n,) and measured tips (n, 3) of the joint states in some time."""
         places = slice(*np.searchsorted(self._stamps, (begin, end + 1)))
-        angles = self._reader.rows([m.data for m in self._measured[places]])
-        known = [i for i, one in enumerate(angles) if one is not None]
-        tips = [self._kinematics.tip(one[0]) for one in angles if one is not None]
+        data = [message.data for message in self._measured[places]]
+        known, angles = self._reader.columns(data, ('position',))
+        tips = [self._kinematics.tip(one) for one in angles[known, 0]]
         return self._stamps[places][known], np.array(tips, dtype=np.float64).reshape(-1, 3)

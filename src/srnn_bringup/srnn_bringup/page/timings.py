@@ -12,9 +12,9 @@ from srnn_bringup.latency.latencies import latencies
 from srnn_bringup.page.bag_run import BagRun
 from srnn_msgs_py.journal import Deed, number
 from srnn_msgs_py.ros import journal
+from srnn_replay.cycles import COMMANDS
 from srnn_replay.errors import NotReplayableError
 from srnn_replay.recording import decode
-from srnn_replay.tracker_replay import COMMANDS
 
 PERCENTILES = {'p50': 50.0, 'p95': 95.0, 'p99': 99.0, 'longest': 100.0}
 PLANNING = 'planning a segment'
