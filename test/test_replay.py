@@ -11,6 +11,8 @@ import subprocess
 from browser import BROWSER
 import numpy as np
 import pytest
+from rclpy.serialization import deserialize_message, serialize_message
+from sensor_msgs.msg import JointState
 from srnn_process import SCENE
 from std_srvs.srv import Trigger
 from watched_graph import PATIENCE_S, Watched
@@ -145,6 +147,20 @@ def test_one_flipped_bit_in_one_command_is_found(eventful, changed):
     assert tracker.decisions['commands'] == 300
     assert tracker.difference.where == '[6]'
     assert not found.identical
+
+
+def test_joint_states_may_name_their_joints_in_any_order(eventful, changed):
+    def turned(message: Message) -> Message:
+        if 'joint_states' not in message.topic or message.sequence % 7:
+            return message
+        msg = deserialize_message(message.data, JointState)
+        for values in (msg.name, msg.position, msg.velocity, msg.effort):
+            values.reverse()
+        return message._replace(data=bytes(serialize_message(msg)))
+
+    found = replay(changed(turned))
+    assert found.identical, [verdict.words() for verdict in found.verdicts]
+    assert decisions(found) == decisions(replay(eventful))
 
 
 def test_a_bag_that_lacks_an_input_says_which(eventful, changed):

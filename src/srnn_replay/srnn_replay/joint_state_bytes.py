@@ -23,6 +23,7 @@ _LITTLE_ENDIAN = b'\x00\x01'
 _FRAME = _BODY + _STAMP.size
 FIELDS = ('position', 'velocity', 'effort')
 
+
 def stamp_ns(data: bytes) -> int:
     """Return the stamp of a message that begins with a header [ns]."""
     seconds, nanoseconds = _STAMP.unpack_from(data, _BODY)
@@ -31,7 +32,8 @@ def stamp_ns(data: bytes) -> int:
 
 def stamps_ns(messages: Sequence[bytes]) -> NDArray[np.int64]:
     """Return the stamps (n,) of messages that begin with a header [ns]."""
-    head = b''.join([data[_BODY:_FRAME] for data in messages])
+    # Whatever is too short for a stamp has none, and must not shift those of others.
+    head = b''.join([data[_BODY:_FRAME].ljust(_STAMP.size, b'\0') for data in messages])
     stamps = np.frombuffer(head, [('seconds', '<i4'), ('nanoseconds', '<u4')])
     whole = stamps['seconds'].astype(np.int64) * SECOND_NS
     return np.asarray(whole + stamps['nanoseconds'], dtype=np.int64)

@@ -25,7 +25,7 @@ from srnn_planner.core.errors import SrnnError
 from srnn_planner.core.planning_session import PlanningSession
 from srnn_replay.difference import Difference
 from srnn_replay.inputs import Inputs
-from srnn_replay.joint_state_bytes import last_numbers, stamp_ns
+from srnn_replay.joint_state_bytes import last_numbers, stamps_ns
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, Session
 from srnn_replay.verdict import Told, Verdict, said_in
@@ -46,8 +46,8 @@ def positions(poses: Sequence[Message]) -> dict[Hashable, NDArray[np.float64]]:
     There are too many of them to make a message of each.
     """
     data = [message.data for message in poses]
-    numbers = last_numbers(data, POSE_NUMBERS)
-    return {stamp_ns(d): pose[:3] for d, pose in zip(data, numbers, strict=True)}
+    stamps = stamps_ns(data).tolist()
+    return {s: pose[:3] for s, pose in zip(stamps, last_numbers(data, POSE_NUMBERS), strict=True)}
 
 
 class PlannerReplay:

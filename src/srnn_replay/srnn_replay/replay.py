@@ -35,7 +35,6 @@ KINDS: Mapping[str, Callable[[RunOrigin, str], Replaying]] = {
     adapter_replay.NODE: AdapterReplay,
 }
 
-
 _LONGEST = next(iter(KINDS))
 _GIVING_WAY = 5
 """By how much nicer the others are, which have time to spare."""

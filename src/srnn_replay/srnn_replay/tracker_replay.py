@@ -17,7 +17,7 @@ from srnn_replay import cycles
 from srnn_replay.cycles import EXTERNAL, MEASURED, read_cycles
 from srnn_replay.errors import NotReplayableError
 from srnn_replay.inputs import Inputs
-from srnn_replay.joint_state_bytes import stamp_ns
+from srnn_replay.joint_state_bytes import stamps_ns
 from srnn_replay.origin import RunOrigin
 from srnn_replay.recording import Recording, Session, full_names, unmarked
 from srnn_replay.verdict import Told, Verdict, said_in
@@ -164,6 +164,7 @@ class TrackerReplay:
     def _by_stamp(self, name: str) -> dict[int, Message]:
         """Return the joint states of a topic by their stamps."""
         if name not in self._unusual:
-            messages = self._bag.messages({self._names[name]})
-            self._unusual[name] = {stamp_ns(message.data): message for message in messages}
+            messages = [*self._bag.messages({self._names[name]})]
+            stamps = stamps_ns([message.data for message in messages]).tolist()
+            self._unusual[name] = dict(zip(stamps, messages, strict=True))
         return self._unusual[name]

@@ -73,6 +73,14 @@ def test_what_is_not_known_does_not_keep_its_neighbours_from_being_read():
     assert known.tolist() == [False, True, False]
 
 
+def test_what_is_too_short_for_a_stamp_does_not_shift_the_stamps_of_others():
+    rest = np.zeros(7)
+    msg, _ = joints.to_msgs(JointSample(123 * 10**9 + 456, rest, rest, rest, rest), JOINT_NAMES)
+    data = bytes(serialize_message(msg))
+    for length in range(12):
+        assert stamps_ns([data, data[:length], data]).tolist()[::2] == [123 * 10**9 + 456] * 2
+
+
 def test_the_last_numbers_are_read_from_even_and_uneven_messages():
     one, two = np.arange(7.0), np.arange(7.0, 14.0)
     messages = [b'head' + one.tobytes(), b'longer head' + two.tobytes()]
