@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 from lwr_description import Kinematics
 from lwr_description.compiled import compiled
 from lwr_description.kinematics_kernel import jacobian_at
+from lwr_tracking.core.point import Point
 from lwr_tracking.core.products import gram, times
 from lwr_tracking.core.spd_solve import solve_spd3
 from srnn_msgs_py.joints import JointSample
 
 Array = NDArray[np.float64]
-Point = tuple[float, float, float]
 
 _NOWHERE = (np.nan, np.nan, np.nan)
 

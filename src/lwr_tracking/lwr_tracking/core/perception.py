@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from lwr_description import Kinematics
 from lwr_tracking.core.failsafe import Condition
-from lwr_tracking.core.first_look import FirstLook, Ordinary, Point
+from lwr_tracking.core.first_look import FirstLook, Ordinary
 from lwr_tracking.core.joint_watch import JointWatch
 from lwr_tracking.core.parameters import TrackerParameters
+from lwr_tracking.core.point import Point
 from srnn_msgs_py.joints import JointSample
 
 Array = NDArray[np.float64]

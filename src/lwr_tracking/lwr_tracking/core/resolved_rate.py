@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lwr_description import Kinematics
+from lwr_tracking.core.point import Point
 from lwr_tracking.core.spd_solve import solve_spd3
 
 Array = NDArray[np.float64]
-Point = tuple[float, float, float]
 
 NEGLIGIBLE = 1e-3
 """A joint slower than this share of its speed limit does not count as moving."""

@@ -9,8 +9,9 @@ from lwr_description import Kinematics
 from lwr_description.compiled import compiled
 from lwr_description.kinematics_kernel import jacobian_at
 from lwr_tracking.core.manipulability import smallest_singular_value
+from lwr_tracking.core.point import Point
 from lwr_tracking.core.products import gram, times
-from lwr_tracking.core.resolved_rate import NEGLIGIBLE, Bounds, Point, Step
+from lwr_tracking.core.resolved_rate import NEGLIGIBLE, Bounds, Step
 from lwr_tracking.core.spd_solve import solve_spd3
 
 Array = NDArray[np.float64]

@@ -13,11 +13,11 @@ from lwr_tracking.core.counters import Counters
 from lwr_tracking.core.errors import ClockError
 from lwr_tracking.core.execution import Execution, Finished
 from lwr_tracking.core.failsafe import Condition, Reaction, decide
-from lwr_tracking.core.first_look import Point
 from lwr_tracking.core.load_check import LoadCheck
 from lwr_tracking.core.motion_watch import MotionWatch
 from lwr_tracking.core.parameters import TrackerParameters
 from lwr_tracking.core.perception import Perception
+from lwr_tracking.core.point import Point
 from lwr_tracking.core.reference import Reference
 from lwr_tracking.core.refusal import Refusal
 from lwr_tracking.core.repeated_stops import RepeatedStops

@@ -10,11 +10,11 @@ from lwr_description import Kinematics
 from lwr_description.compiled import compiled
 from lwr_tracking.core.bounded_sum import add_bounded
 from lwr_tracking.core.parameters import LawParameters, LimitParameters
+from lwr_tracking.core.point import Point
 from lwr_tracking.core.resolved_rate import Bounds, Step
 from lwr_tracking.core.resolved_rate_kernel import ResolvedRate
 
 Array = NDArray[np.float64]
-Point = tuple[float, float, float]
 
 _NONE: Point = (0.0, 0.0, 0.0)
 
