@@ -36,7 +36,7 @@ KINDS: Mapping[str, Callable[[RunOrigin, str], Replaying]] = {
 }
 
 _LONGEST = next(iter(KINDS))
-_GIVING_WAY = 5
+_GIVING_WAY = 10
 """By how much nicer the others are, which have time to spare."""
 
 
