@@ -118,7 +118,7 @@ class McapFile:
         """
         if self._chunks and all(chunk.message_index_offsets for chunk in self._chunks):
             numbers = {n for chunk in self._chunks for n in chunk.message_index_offsets}
-            return {self._names[number] for number in numbers} & {*topics}
+            return {name for n, name in self._names.items() if n in numbers and name in topics}
         return {message.topic for message in self.messages(topics)}
 
     def _summary(self) -> bool:

@@ -39,6 +39,23 @@ def test_one_topic_is_read_alone(directory, messages, topic):
     assert list(open_bag(directory).messages({topic})) == chosen
 
 
+@pytest.mark.parametrize('flush_every', [1, 10])
+@pytest.mark.parametrize('cut', [0, 100])
+def test_topics_that_were_heard_are_those_with_messages(tmp_path, messages, flush_every, cut):
+    silent, spoken = TOPICS
+    for kept in ([spoken], [silent, spoken], []):
+        chosen = [message for message in messages if message.topic in kept]
+        folder = write(tmp_path / f'run{len(kept)}', chosen, flush_every)
+        (file,) = folder.glob('*.mcap')
+        file.write_bytes(file.read_bytes()[: file.stat().st_size - cut])
+        bag = open_bag(file)
+        assert bag.complete == (cut == 0)
+        assert bag.heard(TOPICS) == {*kept}
+        assert bag.heard({silent}) == {*kept} & {silent}
+        for topic in TOPICS:
+            assert list(bag.messages({topic})) == [m for m in chosen if m.topic == topic]
+
+
 def test_the_file_alone_is_a_bag_too(directory, messages):
     (file,) = directory.glob('*.mcap')
     assert list(open_bag(file).messages()) == messages
