@@ -15,7 +15,7 @@ EXTERNAL = 'external_torque/joint_states'
 COMMANDS = 'forward_position_controller/commands'
 TOPICS = (MEASURED, EXTERNAL, COMMANDS)
 
-FIELDS = {MEASURED: ('position', 'velocity', 'effort'), EXTERNAL: ('effort',)}
+WANTED = {MEASURED: ('position', 'velocity', 'effort'), EXTERNAL: ('effort',)}
 """What a tracker wants to know of joint states."""
 
 
@@ -25,7 +25,7 @@ class JointStates:
 
     Attributes:
         stamps_ns: (n,) [ns].
-        numbers: (n, fields, joints) as in `FIELDS`.
+        numbers: (n, fields, joints) as in `WANTED`.
 
     """
 
@@ -76,7 +76,7 @@ def read_cycles(bag: Bag, names: Mapping[str, str], joints: Sequence[str]) -> Cy
     for message in bag.messages(messages.keys()):
         messages[message[0]].append(message)
     measured, external = (
-        _joint_states([m.data for m in messages[names[topic]]], joints, FIELDS[topic])
+        _joint_states([m.data for m in messages[names[topic]]], joints, WANTED[topic])
         for topic in (MEASURED, EXTERNAL)
     )
     said = messages[names[COMMANDS]]

@@ -45,9 +45,9 @@ class Session:
         """Return when each row was, (n,) as its deed says."""
         return numbers(self.rows[:, COLUMNS.index('time')])
 
-    def has(self, message: Message) -> bool:
-        """Tell whether a message was sent in the time of the process."""
-        return self.began_ns <= message.sent_ns < self.until_ns
+    def has(self, sent_ns: int) -> bool:
+        """Tell whether it lived when something was sent [ns of system time]."""
+        return self.began_ns <= sent_ns < self.until_ns
 
 
 class Recording:
@@ -174,7 +174,7 @@ def remapped_topics(bag: Bag) -> Mapping[str, str]:
 
 def of_session(messages: list[Message], session: Session) -> list[Message]:
     """Return the messages that were sent in the time of a process."""
-    return [message for message in messages if session.has(message)]
+    return [message for message in messages if session.has(message.sent_ns)]
 
 
 def _sessions(node: str, parts: 'list[Decoded[Any]]') -> list[Session]:

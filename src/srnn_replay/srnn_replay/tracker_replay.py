@@ -78,7 +78,7 @@ class TrackerReplay:
             for sent_ns, command in zip(
                 self._cycles.sent_ns, self._cycles.commands, strict=True
             )
-            if session.began_ns <= sent_ns < session.until_ns
+            if session.has(sent_ns)
         ]
         self._commands = Told('commands', said, lambda _: 'a command', verdict)
         paths, results = (said_in(session, s) for s in (self._said_paths, self._said_results))

@@ -118,4 +118,5 @@ class Told:
 
 def said_in(session: Session, said: 'list[Decoded[Any]]') -> list[tuple[int, Any]]:
     """Return what was sent in the time of a process, and when [ns of system time]."""
-    return [(one.message.sent_ns, one.value) for one in said if session.has(one.message)]
+    times = ((one.message.sent_ns, one.value) for one in said)
+    return [(sent_ns, value) for sent_ns, value in times if session.has(sent_ns)]

@@ -100,7 +100,7 @@ RULES: Mapping[Condition, Rule] = MappingProxyType(
 
 @dataclass(frozen=True)
 class Decision:
-    """What a set of conditions demands.
+    """What a set of conditions demands; what is asked for in every tick is there at once.
 
     Attributes:
         conditions: all of them.

@@ -88,10 +88,9 @@ class QuinticPath:
 
     def state(self, time: float) -> PathState:
         """Return the point at a path time [s], held before the start and after the end."""
-        (a0, b0, a1, b1, a2, b2, a3, b3, a4, b4, a5, b5), u, h = self._at(time)
+        (_, _, a1, b1, a2, b2, a3, b3, a4, b4, a5, b5), u, h = self._at(time)
         return PathState(
-            a0 + u * (a1 + u * (a2 + u * (a3 + u * (a4 + u * a5)))),
-            b0 + u * (b1 + u * (b2 + u * (b3 + u * (b4 + u * b5)))),
+            *self.place(time),
             (a1 + u * (2 * a2 + u * (3 * a3 + u * (4 * a4 + u * 5 * a5)))) / h,
             (b1 + u * (2 * b2 + u * (3 * b3 + u * (4 * b4 + u * 5 * b5)))) / h,
         )
