@@ -8,7 +8,7 @@ from pathlib import Path
 import re
 import subprocess
 
-from browser import BROWSER
+from browser import BROWSER, Browser
 import numpy as np
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
@@ -217,6 +217,21 @@ def test_the_page_plays_in_a_browser_without_an_error(eventful, tmp_path):
     assert 'CONSOLE' not in done.stderr, done.stderr
     (clock,) = re.findall(r'id="clock">([^<]*)<', done.stdout)
     assert re.fullmatch(r'\d+\.\d s of \d+\.\d s', clock)
+
+
+@pytest.mark.skipif(BROWSER is None, reason='this machine has no Chromium')
+def test_all_figures_of_the_page_are_seen_on_a_phone(eventful, tmp_path):
+    page = tmp_path / 'run.html'
+    assert cli.main(['report', str(eventful), '--out', str(page)]) == 0
+    with Browser(tmp_path, 390, 844) as browser:
+        browser.open(page.as_uri())
+        browser.until('document.querySelectorAll("td.n").length', 30.0)
+        places = browser.evaluate(
+            '[...document.querySelectorAll("td.n")].map(n => n.getBoundingClientRect().right)'
+        )
+        assert 0.0 < min(places) < max(places) <= 390.0
+        assert browser.evaluate('document.documentElement.scrollWidth') <= 390
+        assert not browser.complaints
 
 
 def test_a_bag_without_attachments_is_replayed_by_whoever_knows_the_run(eventful, tmp_path):

@@ -61,8 +61,9 @@ def table(
     for index, row in enumerate(rows):
         name = f' class="{escape(classes[index])}"' if index < len(classes) else ''
         body.append(f'<tr{name}>{cells("td", row)}</tr>')
+    kind = ' class="figures"' if numbers else ''
     return (
-        f'<div class="scroll"><table><thead><tr>{cells("th", heading)}</tr></thead>'
+        f'<div class="scroll"><table{kind}><thead><tr>{cells("th", heading)}</tr></thead>'
         f'<tbody>{"".join(body)}</tbody></table></div>'
     )
 
