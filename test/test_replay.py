@@ -165,8 +165,18 @@ def test_joint_states_may_name_their_joints_in_any_order(eventful, changed):
 
 def test_a_bag_that_lacks_an_input_says_which(eventful, changed):
     chosen = nth(eventful, '/joint_states', 500)
-    with pytest.raises(NotReplayableError, match=f'lacks joint states {stamp_ns(chosen.data)}'):
+    words = f'lacks joint states {stamp_ns(chosen.data)}, which it has answered$'
+    with pytest.raises(NotReplayableError, match=words):
         replay(changed(lambda m: None if m == chosen else m))
+
+
+def test_who_began_to_record_too_late_is_told_how_to_record(eventful, changed):
+    begun = nth(eventful, '/joint_states', 500)
+    late = changed(
+        lambda m: None if m.topic == begun.topic and m.received_ns < begun.received_ns else m
+    )
+    with pytest.raises(NotReplayableError, match='answered; record from the start with --record'):
+        replay(late)
 
 
 def test_a_bag_that_lacks_a_part_of_a_journal_is_refused(eventful, changed):

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Errors of the replay."""
 
+FROM_THE_START = 'record from the start with --record'
+"""What helps who has begun to record too late."""
+
 
 class ReplayError(Exception):
     """Base of every error that the package raises; the text is one line for the user."""

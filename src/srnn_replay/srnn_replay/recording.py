@@ -20,7 +20,7 @@ from srnn_msgs_py.ros import journal
 from srnn_msgs_py.ros.mark_carrier import mark_carrier
 from srnn_msgs_py.ros.message_type import message_type
 from srnn_msgs_py.topics import DECIDING, topic
-from srnn_replay.errors import NotReplayableError
+from srnn_replay.errors import FROM_THE_START, NotReplayableError
 
 V = TypeVar('V')
 
@@ -190,8 +190,8 @@ def _sessions(node: str, parts: 'list[Decoded[Any]]') -> list[Session]:
         for piece, index in zip(pieces, expected, strict=False):
             if piece.index != index:
                 raise NotReplayableError(
-                    f'{node}: its journal lacks rows {index} to {piece.index - 1}; record from '
-                    'the start with --record'
+                    f'{node}: its journal lacks rows {index} to {piece.index - 1}; '
+                    f'{FROM_THE_START}'
                 )
         if not pieces or pieces[0].rows[0, 0] != Deed.CONFIGURED:
             raise NotReplayableError(f'{node}: its journal does not begin with its process')

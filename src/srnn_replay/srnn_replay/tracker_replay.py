@@ -15,7 +15,7 @@ from srnn_msgs_py.journal import Deed
 from srnn_msgs_py.ros import executed, joints, result, segment
 from srnn_replay import cycles
 from srnn_replay.cycles import EXTERNAL, MEASURED, read_cycles
-from srnn_replay.errors import NotReplayableError
+from srnn_replay.errors import FROM_THE_START, NotReplayableError
 from srnn_replay.inputs import Inputs
 from srnn_replay.joint_state_bytes import stamps_ns
 from srnn_replay.origin import RunOrigin
@@ -156,8 +156,10 @@ class TrackerReplay:
                 for name, when in ((MEASURED, stamp), (EXTERNAL, external_stamp))
             )
         except KeyError:
+            late = stamp < min(self._by_stamp(MEASURED), default=stamp)
+            advice = f'; {FROM_THE_START}' if late else ''
             raise NotReplayableError(
-                f'{NODE}: the bag lacks joint states {stamp}, which it has answered'
+                f'{NODE}: the bag lacks joint states {stamp}, which it has answered{advice}'
             ) from None
         return joints.from_msgs(measured, external, self._kinematics.joints, MAX_LAG)
 
